@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/units/channel.h"
+
+namespace vehicle {
+
+// The vehicle with its names looked up, its groups dissolved and its sides summed: what every form starts
+// from. It holds places and coefficients only; how they make equations is each form's own business.
+//
+// Coordinates q: for each body in file order z, then pitch, as far as it moves; then z of each wheelset that
+// has a motion of its own, in file order. State x = (q, q').
+
+struct TopologyBody {
+  std::string name;
+  double mass = 0.0;           // [kg]
+  double pitch_inertia = 0.0;  // [kg m^2]; 0 where it does not pitch and none is given
+  double x = 0.0;              // [m] absolute
+  double z = 0.0;              // [m]; 0 without heights
+  int z_index = -1;            // in q; -1: does not move so
+  int pitch_index = -1;        // in q
+};
+
+struct TopologyWheelset {
+  std::string name;
+  double x = 0.0;     // [m] absolute
+  double z = 0.0;     // [m]; 0 without heights
+  double mass = 0.0;  // [kg]; 0: none given
+  double contact_damping = 0.0;            // [N s/m]
+  std::optional<double> load;              // [N] static, as given
+  std::optional<double> contact_stiffness; // [N/m] as given
+  std::optional<double> hertz_constant;    // [N/m^1.5] as given
+  int z_index = -1;   // in q; -1: follows the rail
+};
+
+/// A suspension: both sides together.
+struct TopologySuspension {
+  std::string name;
+  double stiffness = 0.0;  // [N/m]   sides x element
+  double damping = 0.0;    // [N s/m]
+  int upper = -1;          // body
+  int lower_body = -1;     // exactly one of lower_body and lower_wheelset is >= 0
+  int lower_wheelset = -1;
+  double x = 0.0;          // [m] absolute
+  double arm_upper = 0.0;  // [m] x - x of the upper body's centre of gravity
+  double arm_lower = 0.0;  // [m] x - x of the lower body's; 0 for a wheelset
+  double height_upper = 0.0;  // [m] of its upper end above the upper body's centre of gravity; 0 without heights
+  double height_lower = 0.0;  // [m] of its lower end above the lower body's; 0 without heights
+  std::optional<double> preload;  // [N] compression, as given
+};
+
+struct TopologyPoint {
+  std::string name;
+  int body = -1;
+  double arm = 0.0;  // [m]
+};
+
+struct Topology {
+  std::vector<TopologyBody> bodies;
+  std::vector<TopologyWheelset> wheelsets;  // in file order: this is the order of the input channels
+  std::vector<TopologySuspension> suspensions;
+  std::vector<TopologyPoint> points;
+  int coordinates = 0;       // size of q
+  bool has_heights = false;  // without heights gravity drops out of pitch
+};
+
+/// @throws InvalidInput with check()'s problems if the vehicle contradicts itself
+[[nodiscard]] Topology topologyOf(const Vehicle& vehicle);
+
+/// States x = (q, q') of that topology: "carbody.z" [m], "carbody.pitch" [rad], ..., "carbody.vz" [m/s],
+/// "carbody.pitch_rate" [rad/s], ...
+[[nodiscard]] std::vector<Channel> stateChannels(const Topology& topology);
+
+/// Columns of a result after `time`, the same for every form, in this order:
+/// per body        .z [m] .pitch [rad] .vz [m/s] .pitch_rate [rad/s] .az [m/s^2] .pitch_acc [rad/s^2], as far as it moves
+/// per suspension  .deflection [m] (elongation-positive, dynamic part) .force [N] (the same)
+/// per wheelset    .rail_z [m], .z .vz .az where it has its own motion, .load [N] (wheel-rail force, compression-positive, static part included)
+/// per point       .z .vz .az
+[[nodiscard]] std::vector<Channel> resultChannels(const Topology& topology);
+
+}  // namespace vehicle

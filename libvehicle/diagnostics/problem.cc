@@ -1,0 +1,72 @@
+#include "libvehicle/diagnostics/problem.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace vehicle {
+
+std::string Problem::text() const {
+  std::string line;
+  if (!place.file.empty()) line = place.line > 0 ? fmt::format("{}:{}: ", place.file, place.line) : place.file + ": ";
+  line += "error: ";
+  if (!element.empty()) line += element + ": ";
+  line += message;
+  if (!remedy.empty()) line += "; " + remedy;
+  return line;
+}
+
+void ProblemList::append(const ProblemList& other) {
+  problems_.insert(problems_.end(), other.problems_.begin(), other.problems_.end());
+}
+
+void ProblemList::sortByPlace() {
+  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+    return std::tie(a.place.file, a.place.line) < std::tie(b.place.file, b.place.line);
+  });
+}
+
+std::string ProblemList::text() const {
+  std::string lines;
+  for (const Problem& problem : problems_) lines += problem.text() + '\n';
+  return lines;
+}
+
+InvalidInput::InvalidInput(ProblemList problems) : std::runtime_error(problems.text()), problems_(std::move(problems)) {}
+
+namespace {
+
+// Levenshtein distance, one row at a time.
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> nearestName(const std::string& word, const std::vector<std::string>& candidates) {
+  std::optional<std::string> best;
+  std::size_t bestDistance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance < bestDistance) {
+      bestDistance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace vehicle

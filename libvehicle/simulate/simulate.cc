@@ -1,1 +1,105 @@
-// to be written
+#include "libvehicle/simulate/simulate.h"
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "libvehicle/excitation/excitation.h"
+#include "libvehicle/simulate/initial_state.h"
+
+namespace vehicle {
+
+namespace {
+
+void requirePositive(const char* name, double value, const char* unit) {
+  if (!(std::isfinite(value) && value > 0.0)) {
+    throw std::invalid_argument(fmt::format("{} = {} {}, must be finite and > 0", name, value, unit));
+  }
+}
+
+void checkChoice(const RunChoice& choice) {
+  if (choice.speed) requirePositive("speed", *choice.speed, "m/s");
+  requirePositive("step", choice.step, "s");
+  requirePositive("relative tolerance", choice.relative, "");
+  requirePositive("absolute tolerance", choice.absolute, "");
+  requirePositive("accuracy", choice.accuracy, "");
+  if (choice.refine < 1) throw std::invalid_argument(fmt::format("refine = {}, must be >= 1", choice.refine));
+}
+
+void checkDefinition(const Vehicle& vehicle, const Scenario& scenario) {
+  ProblemList problems = check(vehicle);
+  problems.append(check(scenario));
+  if (problems.empty()) problems.append(check(scenario, vehicle));
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
+}
+
+// Fills the history sample by sample and watches over it.
+class Recorder {
+ public:
+  Recorder(const System& system, const Input& input, const Schedule& schedule, const Progress& progress)
+      : system_(system), input_(input), schedule_(schedule), progress_(progress), history_(system.outputs()),
+        u_(3 * static_cast<std::size_t>(system.channels())) {
+    history_.reserve(static_cast<std::size_t>(schedule.samples()));
+  }
+
+  bool operator()(int sample, int segment, double t, std::span<const double> x) {
+    input_.evaluate(segment, t, u_);
+    const std::span<double> row = history_.append(t);
+    system_.output(x, u_, row.subspan(1));
+    for (std::size_t column = 1; column < row.size(); ++column) {
+      if (!std::isfinite(row[column])) {
+        throw RunFailed(fmt::format("{} is not finite at t = {:.6g} s", history_.columns()[column].name, t));
+      }
+    }
+    // Asking after every sample would cost more than a step of the exact method.
+    constexpr int kSamplesBetweenReports = 256;
+    if (!progress_ || sample % kSamplesBetweenReports != 0) return true;
+    return progress_(static_cast<double>(sample + 1) / schedule_.samples());
+  }
+
+  TimeHistory take() { return std::move(history_); }
+
+ private:
+  const System& system_;
+  const Input& input_;
+  const Schedule& schedule_;
+  const Progress& progress_;
+  TimeHistory history_;
+  std::vector<double> u_;  // (3 w) heights, rates, accelerations
+};
+
+}  // namespace
+
+RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice, const Progress& progress) {
+  checkChoice(choice);
+  checkDefinition(vehicle, scenario);
+
+  RunResult result;
+  result.form = choice.form.empty() ? defaultForm(vehicle) : choice.form;
+  result.method = choice.method.empty() ? defaultMethod(result.form) : choice.method;
+  result.speed = choice.speed.value_or(scenario.run.speed);
+  if (const std::string misfit = methodMisfit(result.method, result.form); !misfit.empty()) {
+    throw std::invalid_argument(misfit);
+  }
+
+  const std::unique_ptr<System> system = buildForm(result.form, vehicle, scenario.gravity);
+  const Input input = inputOf(scenario, topologyOf(vehicle), result.speed);
+  const Schedule schedule(input, scenario.run.output_step);
+  const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
+  const MethodSettings settings{{choice.step, choice.refine}, {choice.relative, choice.absolute}, choice.accuracy};
+
+  Recorder recorder(*system, input, schedule, progress);
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    result.statistics = runMethod(result.method, *system, input, schedule, settings, x0, std::ref(recorder));
+  } catch (const std::runtime_error& failure) {
+    throw RunFailed(fmt::format("{} with {}: {}", result.form, result.method, failure.what()));
+  }
+  result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.history = recorder.take();
+  return result;
+}
+
+}  // namespace vehicle

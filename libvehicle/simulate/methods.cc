@@ -1,0 +1,51 @@
+#include "libvehicle/simulate/methods.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/mbs/mbs_form.h"
+#include "libvehicle/simulate/flat_rk4.h"
+#include "libvehicle/simulate/forms.h"
+
+namespace vehicle {
+
+const std::vector<std::string>& methodNames() {
+  static const std::vector<std::string> names = {"rk4", "dopri5", "exact", "simbody_rkm"};
+  return names;
+}
+
+std::string methodMisfit(const std::string& method, const std::string& form) {
+  const bool linear = isLinearForm(form);
+  const bool simbody = isSimbodyForm(form);
+  if (method == "rk4" || method == "dopri5") return {};
+  if (method == "exact") return linear ? "" : fmt::format("exact needs a linear form; {} is nonlinear", form);
+  if (method == "simbody_rkm") {
+    return simbody ? "" : fmt::format("simbody_rkm integrates Simbody forms; {} is not one", form);
+  }
+  const std::optional<std::string> nearest = nearestName(method, methodNames());
+  throw std::invalid_argument(fmt::format("method \"{}\" is unknown; {}", method,
+                                          nearest ? fmt::format("did you mean \"{}\"?", *nearest)
+                                                  : fmt::format("choose one of {}", fmt::join(methodNames(), ", "))));
+}
+
+std::string defaultMethod(const std::string& form) { return isLinearForm(form) ? "exact" : "dopri5"; }
+
+Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,
+                     const MethodSettings& settings, std::span<const double> x0, const Observer& observe) {
+  if (method == "exact") return runExact(system, input, schedule, x0, observe);
+  if (method == "dopri5") return runDopri5(system, input, schedule, settings.accuracy, x0, observe);
+  if (method == "rk4") {
+    // The paper's own pair is the one that is run most: it gets its equations without a virtual call.
+    if (const auto* flat = dynamic_cast<const FlatForm*>(&system)) {
+      return runFlatRk4(*flat, input, schedule, settings.step, x0, observe);
+    }
+    return runRk4(system, input, schedule, settings.step, x0, observe);
+  }
+  const auto* mbs = dynamic_cast<const MbsForm*>(&system);
+  if (mbs == nullptr) throw std::invalid_argument("simbody_rkm: the form is not made of Simbody bodies");
+  return mbs->runSimbody(input, schedule, settings.simbody, x0, observe);
+}
+
+}  // namespace vehicle

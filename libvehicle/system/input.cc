@@ -1,1 +1,249 @@
-// to be written
+#include "libvehicle/system/input.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace vehicle {
+namespace {
+
+[[noreturn]] void refuse(std::size_t segment, const std::string& what) {
+  throw std::invalid_argument("Input: segment " + std::to_string(segment) + ": " + what);
+}
+
+std::string text(double value) {
+  std::ostringstream out;
+  out.precision(17);
+  out << value;
+  return out.str();
+}
+
+void checkFinite(std::size_t segment, const char* name, const std::vector<double>& values) {
+  const auto bad = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  if (bad != values.end()) {
+    refuse(segment, std::string(name) + "[" + std::to_string(bad - values.begin()) + "] = " + text(*bad) +
+                        ", must be finite");
+  }
+}
+
+void checkSize(std::size_t segment, const char* name, std::size_t size, std::size_t expected) {
+  if (size != expected) {
+    refuse(segment, std::string(name) + " has " + std::to_string(size) + " values, must have " +
+                        std::to_string(expected));
+  }
+}
+
+void check(std::size_t index, int channels, const InputSegment& segment) {
+  const std::size_t w = static_cast<std::size_t>(channels);
+  const std::size_t frequencies = segment.angular_frequency.size();
+  if (!std::isfinite(segment.begin) || !std::isfinite(segment.end) || !(segment.end > segment.begin)) {
+    refuse(index, "lasts from " + text(segment.begin) + " s to " + text(segment.end) +
+                      " s, must be finite and end after it begins");
+  }
+  checkSize(index, "cosine", segment.cosine.size(), w * frequencies);
+  checkSize(index, "sine", segment.sine.size(), w * frequencies);
+  checkSize(index, "polynomial", segment.polynomial.size(), w * InputSegment::kPolynomial);
+  checkFinite(index, "angular_frequency", segment.angular_frequency);
+  checkFinite(index, "cosine", segment.cosine);
+  checkFinite(index, "sine", segment.sine);
+  checkFinite(index, "polynomial", segment.polynomial);
+  std::vector<double> sorted = segment.angular_frequency;
+  std::sort(sorted.begin(), sorted.end());
+  if (!sorted.empty() && !(sorted.front() > 0.0)) {
+    refuse(index, "angular_frequency = " + text(sorted.front()) + " rad/s, must be > 0");
+  }
+  const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twin != sorted.end()) refuse(index, "angular_frequency " + text(*twin) + " rad/s stands there twice");
+}
+
+// Row k += p[k] c + q[k] s; a width known to the compiler (four wheelsets: 8) becomes straight SIMD code.
+template <int kWidth>
+inline void addRow(const double* p, const double* q, double c, double s, int width, double* u) {
+  const int n = kWidth > 0 ? kWidth : width;
+  for (int k = 0; k < n; ++k) u[k] += p[k] * c + q[k] * s;
+}
+
+template <int kWidth>
+inline void setPolynomialRow(const double* e, double s, int width, double* u) {
+  const int n = kWidth > 0 ? kWidth : width;
+  for (int k = 0; k < n; ++k) u[k] = e[k] + s * (e[n + k] + s * (e[2 * n + k] + s * e[3 * n + k]));
+}
+
+}  // namespace
+
+Input::Input(int channels, std::vector<InputSegment> segments) : channels_(channels), segments_(std::move(segments)) {
+  if (channels < 1) throw std::invalid_argument("Input: channels = " + std::to_string(channels) + ", must be >= 1");
+  if (segments_.empty()) throw std::invalid_argument("Input: no segments, must have at least one");
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    check(i, channels, segments_[i]);
+    if (i > 0 && segments_[i].begin != segments_[i - 1].end) {
+      refuse(i, "begins at " + text(segments_[i].begin) + " s, must begin where the one before ends, at " +
+                    text(segments_[i - 1].end) + " s");
+    }
+    packRows(segments_[i]);
+  }
+}
+
+void Input::packRows(const InputSegment& segment) {
+  const std::size_t w = static_cast<std::size_t>(channels_);
+  const std::size_t frequencies = segment.angular_frequency.size();
+  Rows rows;
+  rows.offset = rows_.size();
+  const auto& p = segment.polynomial;
+  rows.polynomial = std::any_of(p.begin(), p.end(), [](double v) { return v != 0.0; });
+  if (rows.polynomial) {
+    for (std::size_t power = 0; power < InputSegment::kPolynomial; ++power) {
+      for (std::size_t j = 0; j < w; ++j) rows_.push_back(p[4 * j + power]);
+      for (std::size_t j = 0; j < w; ++j) {
+        rows_.push_back(power < 3 ? static_cast<double>(power + 1) * p[4 * j + power + 1] : 0.0);
+      }
+    }
+  }
+  for (std::size_t f = 0; f < frequencies; ++f) {
+    const double omega = segment.angular_frequency[f];
+    for (std::size_t j = 0; j < w; ++j) rows_.push_back(segment.cosine[j * frequencies + f]);
+    for (std::size_t j = 0; j < w; ++j) rows_.push_back(omega * segment.sine[j * frequencies + f]);
+    for (std::size_t j = 0; j < w; ++j) rows_.push_back(segment.sine[j * frequencies + f]);
+    for (std::size_t j = 0; j < w; ++j) rows_.push_back(-omega * segment.cosine[j * frequencies + f]);
+  }
+  index_.push_back(rows);
+}
+
+template <int kWidth>
+void Input::evaluateRows(const InputSegment& segment, Rows rows, double t, double* u, bool accelerations) const {
+  const int width = kWidth > 0 ? kWidth : 2 * channels_;
+  const int w = width / 2;
+  const double s = t - segment.begin;
+  const double* row = rows_.data() + rows.offset;
+  double* acceleration = u + width;
+  std::fill_n(u, accelerations ? width + w : width, 0.0);
+  if (rows.polynomial) {
+    setPolynomialRow<kWidth>(row, s, width, u);
+    if (accelerations) {
+      for (int j = 0; j < w; ++j) acceleration[j] = 2.0 * row[2 * width + j] + 6.0 * row[3 * width + j] * s;
+    }
+    row += 4 * width;
+  }
+  for (const double omega : segment.angular_frequency) {
+    const double sine = std::sin(omega * s);
+    const double cosine = std::cos(omega * s);
+    addRow<kWidth>(row, row + width, cosine, sine, width, u);
+    if (accelerations) {
+      for (int j = 0; j < w; ++j) acceleration[j] -= omega * omega * (row[j] * cosine + row[width + j] * sine);
+    }
+    row += 2 * width;
+  }
+}
+
+void Input::evaluate(int segment, double t, std::span<double> u) const {
+  assert(segment >= 0 && segment < segments());
+  const std::size_t w = static_cast<std::size_t>(channels_);
+  if (u.size() != 2 * w && u.size() != 3 * w) {
+    throw std::invalid_argument("Input: u has " + std::to_string(u.size()) + " values, must have " +
+                                std::to_string(2 * w) + ", or " + std::to_string(3 * w) + " with accelerations");
+  }
+  const auto index = static_cast<std::size_t>(segment);
+  if (channels_ == 4) {
+    evaluateRows<8>(segments_[index], index_[index], t, u.data(), u.size() == 3 * w);
+  } else {
+    evaluateRows<0>(segments_[index], index_[index], t, u.data(), u.size() == 3 * w);
+  }
+}
+
+template <int kWidth>
+void Input::sweepRows(const InputSegment& segment, Rows rows, double t0, double dt, int first, int count,
+                      double* u) const {
+  const int width = kWidth > 0 ? kWidth : 2 * channels_;
+  for (int done = 0; done < count; done += kBlock) {
+    const int n = std::min(kBlock, count - done);
+    double* block = u + static_cast<std::ptrdiff_t>(done) * width;
+    const double* row = rows_.data() + rows.offset;
+    if (rows.polynomial) {
+      for (int i = 0; i < n; ++i) {
+        setPolynomialRow<kWidth>(row, (t0 + (first + done + i) * dt) - segment.begin, width, block + i * width);
+      }
+      row += 4 * width;
+    } else {
+      std::fill_n(block, n * width, 0.0);
+    }
+    const double s = (t0 + (first + done) * dt) - segment.begin;
+    for (const double omega : segment.angular_frequency) {
+      double sine = std::sin(omega * s);
+      double cosine = std::cos(omega * s);
+      const double turn_sine = std::sin(omega * dt);
+      const double turn_cosine = std::cos(omega * dt);
+      for (int i = 0; i < n; ++i) {
+        addRow<kWidth>(row, row + width, cosine, sine, width, block + i * width);
+        const double turned = cosine * turn_cosine - sine * turn_sine;
+        sine = sine * turn_cosine + cosine * turn_sine;
+        cosine = turned;
+      }
+      row += 2 * width;
+    }
+  }
+}
+
+void Input::sweep(int segment, double t0, double dt, int first, int count, std::span<double> u) const {
+  assert(segment >= 0 && segment < segments());
+  if (first < 0 || first % kBlock != 0 || count < 0) {
+    throw std::invalid_argument("Input: sweep from sample " + std::to_string(first) + " over " +
+                                std::to_string(count) + ", must start at a multiple of " + std::to_string(kBlock) +
+                                " and not go backwards");
+  }
+  const std::size_t expected = static_cast<std::size_t>(count) * 2 * static_cast<std::size_t>(channels_);
+  if (u.size() != expected) {
+    throw std::invalid_argument("Input: sweep into " + std::to_string(u.size()) + " values, must be " +
+                                std::to_string(expected) + " (count x 2 channels)");
+  }
+  const auto index = static_cast<std::size_t>(segment);
+  if (channels_ == 4) {
+    sweepRows<8>(segments_[index], index_[index], t0, dt, first, count, u.data());
+  } else {
+    sweepRows<0>(segments_[index], index_[index], t0, dt, first, count, u.data());
+  }
+}
+
+Input storedInput(int channels, double t0, double dt, std::span<const double> height, std::span<const double> rate) {
+  if (channels < 1) {
+    throw std::invalid_argument("storedInput: channels = " + std::to_string(channels) + ", must be >= 1");
+  }
+  const std::size_t w = static_cast<std::size_t>(channels);
+  if (!std::isfinite(t0)) throw std::invalid_argument("storedInput: t0 = " + text(t0) + ", must be finite");
+  if (!(dt > 0.0) || !std::isfinite(dt)) {
+    throw std::invalid_argument("storedInput: dt = " + text(dt) + ", must be finite and > 0");
+  }
+  if (height.size() % w != 0 || height.size() < 2 * w || rate.size() != height.size()) {
+    throw std::invalid_argument("storedInput: " + std::to_string(height.size()) + " heights and " +
+                                std::to_string(rate.size()) + " rates, must be as many of each, " +
+                                std::to_string(channels) + " a sample, of at least 2 samples");
+  }
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    if (!std::isfinite(height[i]) || !std::isfinite(rate[i])) {
+      throw std::invalid_argument("storedInput: sample " + std::to_string(i / w) + ", channel " +
+                                  std::to_string(i % w) + ": height = " + text(height[i]) + " m, rate = " +
+                                  text(rate[i]) + " m/s, must be finite");
+    }
+  }
+  std::vector<InputSegment> segments(height.size() / w - 1);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    InputSegment& piece = segments[i];
+    piece.begin = t0 + static_cast<double>(i) * dt;
+    piece.end = t0 + static_cast<double>(i + 1) * dt;
+    // The length as the borders say it, not dt: the next piece starts where this one arrives.
+    const double h = piece.end - piece.begin;
+    for (std::size_t j = 0; j < w; ++j) {
+      const double from = height[i * w + j];
+      const double rise = height[(i + 1) * w + j] - from;
+      const double rate_from = rate[i * w + j];
+      const double rate_to = rate[(i + 1) * w + j];
+      const double mean = rise / h;
+      piece.polynomial.insert(piece.polynomial.end(), {from, rate_from, (3.0 * mean - 2.0 * rate_from - rate_to) / h,
+                                                       (rate_from + rate_to - 2.0 * mean) / (h * h)});
+    }
+  }
+  return Input(channels, std::move(segments));
+}
+
+}  // namespace vehicle

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -45,16 +45,43 @@ class Input {
   /// @param u  shape (2 w): heights and rates, or (3 w): accelerations too
   void evaluate(int segment, double t, std::span<double> u) const;
 
-  /// Values at t0, t0 + dt, ..., t0 + (count-1) dt in one sweep: one sine and cosine per frequency and block of
-  /// kBlock samples, a rotation from sample to sample within (each block is seeded anew, so errors stay at
-  /// kBlock roundings). The values do not depend on how a caller cuts a long sweep at multiples of kBlock.
-  /// @param u  (count x 2 w), row-major
-  void sweep(int segment, double t0, double dt, int count, std::span<double> u) const;
+  /// Heights and rates at the samples first .. first+count-1 of the grid t0 + i dt in one sweep. Block b of the
+  /// grid is seeded with one sine and cosine per frequency at t0 + (b kBlock) dt; within it a rotation leads from
+  /// sample to sample, so a value depends on t0, dt and its index i alone and never on where a caller cuts a
+  /// long sweep. Differs from evaluate(t0 + i dt) by at most sweepError().
+  /// @param first  a multiple of kBlock, >= 0
+  /// @param u      (count x 2 w), row-major
+  void sweep(int segment, double t0, double dt, int first, int count, std::span<double> u) const;
+  void sweep(int segment, double t0, double dt, int count, std::span<double> u) const {
+    sweep(segment, t0, dt, 0, count, u);
+  }
   static constexpr int kBlock = 64;
 
+  /// Bound of |sweep - evaluate| for one channel [m]; for its rate multiply each term by its frequency.
+  ///     sum_f hypot(cosine, sine) (4 kBlock + 4 w_f T) 2^-53,     T = largest |t|, |t - begin| of the sweep
+  /// 4 kBlock: a rotation rounds six times and its own coefficients are rounded. 4 w_f T: both sides round the
+  /// phase w_f (t - begin), the sweep also w_f dt, once a sample.
+  [[nodiscard]] static double sweepError(double amplitude, double angular_frequency, double largest_time) {
+    return amplitude * (4.0 * kBlock + 4.0 * angular_frequency * largest_time) * 0x1p-53;
+  }
+
  private:
+  // The coefficients of a segment once more, laid out as the sums run: rows of 2 w (heights, rates), so that one
+  // pass over a row serves height and rate of every channel.
+  struct Rows {
+    std::size_t offset = 0;   // in rows_
+    bool polynomial = false;  // four rows E0..E3 come first: value = E0 + s (E1 + s (E2 + s E3))
+  };
+  template <int kWidth>
+  void evaluateRows(const InputSegment& segment, Rows rows, double t, double* u, bool accelerations) const;
+  template <int kWidth>
+  void sweepRows(const InputSegment& segment, Rows rows, double t0, double dt, int first, int count, double* u) const;
+  void packRows(const InputSegment& segment);
+
   int channels_;
   std::vector<InputSegment> segments_;
+  std::vector<Rows> index_;    // shape (segments)
+  std::vector<double> rows_;
 };
 
 /// An input known at equally spaced samples only (measured, random): a cubic Hermite hold between them.

@@ -14,13 +14,23 @@ struct Stretch {
   double begin = 0.0; // [s]
   double end = 0.0;   // [s]
   int sample = -1;    // number of the output sample at `end`, or -1
+  int next = 0;       // the segment that holds right after `end`: what an observer of the sample there is told
 };
 
+/// Most output samples a run may have: beyond, the grid itself is no longer exact to a billionth of a step.
+inline constexpr int kMostSamples = 10'000'000;
+
+/// Number of the output sample begin + i output_step that t is, within a billionth of a step; or -1.
+[[nodiscard]] int sampleAt(double begin, double output_step, double t);
+
 /// Output samples t_i = begin + i * output_step and kinks of the input, merged once, in indices: a kink that is
-/// an output sample ends one stretch, and no stretch is a sliver.
+/// an output sample (within a billionth of a step) ends one stretch, and no stretch is a sliver: each is longer than
+/// a billionth of an output step. Stretches join bit for bit and end on the kink where there is one. The last
+/// sample is the last one that the input still covers; what remains after it is not run.
 class Schedule {
  public:
-  /// @throws std::invalid_argument unless output_step > 0 and the input lasts at least one output step
+  /// @throws std::invalid_argument unless output_step > 0 and the input lasts at least one output step and at
+  ///         most kMostSamples of them
   Schedule(const Input& input, double output_step);
 
   [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }

@@ -24,6 +24,7 @@ struct Harmonic {
   double order = 1.0;       // [-]    > 0
   double amplitude = 0.0;   // [m]
   double phase = 0.0;       // [rad]
+  std::vector<ReservedQuantity> reserved;  // rail
   Origin origin;
   bool operator==(const Harmonic&) const = default;
 };
@@ -39,6 +40,7 @@ struct Dip {
   double depth = 0.0;   // [m] positive downward
   double length = 0.0;  // [m] > 0
   double start = 0.0;   // [m]
+  std::vector<ReservedQuantity> reserved;  // rail
   Origin origin;
   bool operator==(const Dip&) const = default;
 };
@@ -49,6 +51,7 @@ struct Ramp {
   double rise = 0.0;    // [m] positive upward
   double length = 0.0;  // [m] > 0
   double start = 0.0;   // [m]
+  std::vector<ReservedQuantity> reserved;  // rail
   Origin origin;
   bool operator==(const Ramp&) const = default;
 };
@@ -122,6 +125,7 @@ struct Run {
 struct Scenario {
   std::string name;
   std::string title;
+  std::string source;
   double gravity = 9.81;  // [m/s^2] >= 0
   Run run;
   std::optional<Track> track;  // exactly one of track and rig

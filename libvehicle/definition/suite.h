@@ -34,6 +34,7 @@ struct SpeedRange {
 struct Suite {
   std::string name;
   std::string title;
+  std::string source;
   std::vector<FileReference> vehicles;
   std::vector<FileReference> scenarios;
   std::vector<SpeedRange> speeds;   // empty: the scenarios' own

@@ -46,10 +46,16 @@ struct ParsedQuantity {
 /// A unit is a product or quotient of symbols, each with a prefix and a power ("kN*s/m", "t*m^2",
 /// "GN/m^1.5"). Prefixes are powers of ten that are multiplied or divided by, never multiplied by a rounded
 /// fraction: 9 mm is 9/1000, the nearest double to 0.009. 1 tf = 9806.65 N. Spaces around the number are free.
+/// A rotational stiffness or damping may leave the radian out ("940 kN*m"); nowhere else is an angle optional.
+/// The grammar of units stands in unit_expression.h. The locale has no say: the decimal sign is a point.
+/// Refused: no number, nan, inf, out of range of a double (also too close to zero), no unit, unknown unit,
+/// other dimension, malformed unit.
 [[nodiscard]] ParsedQuantity parseQuantity(std::string_view text, Dimension expected);
 
 /// Text that parseQuantity() reads back to the same bits: in the customary unit of the railway where that
-/// is exact ("3040 kN/m"), otherwise in SI with as many digits as are needed.
+/// is exact ("3040 kN/m"), otherwise in SI with as many digits as are needed. The shortest text wins.
+/// @param si  finite, and not subnormal (parseQuantity() refuses those as too close to zero)
+/// @throws std::invalid_argument if si is not finite
 [[nodiscard]] std::string formatQuantity(double si, Dimension dimension);
 
 }  // namespace vehicle

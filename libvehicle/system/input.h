@@ -58,11 +58,11 @@ class Input {
   static constexpr int kBlock = 64;
 
   /// Bound of |sweep - evaluate| for one channel [m]; for its rate multiply each term by its frequency.
-  ///     sum_f hypot(cosine, sine) (4 kBlock + 4 w_f T) 2^-53,     T = largest |t|, |t - begin| of the sweep
-  /// 4 kBlock: a rotation rounds six times and its own coefficients are rounded. 4 w_f T: both sides round the
-  /// phase w_f (t - begin), the sweep also w_f dt, once a sample.
+  ///     sum_f hypot(cosine, sine) (4 kBlock + 8 w_f T) 2^-53,     T = largest |t|, |t - begin|, count dt of the sweep
+  /// 4 kBlock: a rotation rounds and its own coefficients are rounded. 8 w_f T: both sides round the time and the
+  /// phase w_f (t - begin), the sweep w_f dt too, once a sample.
   [[nodiscard]] static double sweepError(double amplitude, double angular_frequency, double largest_time) {
-    return amplitude * (4.0 * kBlock + 4.0 * angular_frequency * largest_time) * 0x1p-53;
+    return amplitude * (4.0 * kBlock + 8.0 * angular_frequency * largest_time) * 0x1p-53;
   }
 
  private:

@@ -44,7 +44,7 @@ Schedule::Schedule(const Input& input, double output_step) : begin_(input.begin(
     while (segment < last_segment && kink() < at - same) {
       // A segment shorter than the tolerance is passed over: its kinks are one.
       if (kink() - reached > same) {
-        stretches_.push_back({segment, reached, kink(), -1, segment + 1});
+        stretches_.push_back({segment, reached, kink(), -1, 0});
         reached = kink();
       }
       ++segment;
@@ -53,9 +53,11 @@ Schedule::Schedule(const Input& input, double output_step) : begin_(input.begin(
     const double end = on_border ? kink() : at;
     const int holds = segment;
     while (segment < last_segment && kink() <= at + same) ++segment;
-    stretches_.push_back({holds, reached, end, sample, segment});
+    stretches_.push_back({holds, reached, end, sample, 0});
     reached = end;
   }
+  for (std::size_t i = 0; i + 1 < stretches_.size(); ++i) stretches_[i].next = stretches_[i + 1].segment;
+  stretches_.back().next = segment;
 }
 
 }  // namespace vehicle

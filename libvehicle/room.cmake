@@ -7,14 +7,6 @@
 add_library(vehicle_warnings INTERFACE)
 target_compile_options(vehicle_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
 
-# HDF5 and Simbody come as bare variables and un-namespaced targets: wrapped once, as system headers.
-add_library(vehicle_hdf5 INTERFACE)
-target_include_directories(vehicle_hdf5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
-target_link_libraries(vehicle_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
-add_library(vehicle_simbody INTERFACE)
-target_include_directories(vehicle_simbody SYSTEM INTERFACE ${Simbody_INCLUDE_DIR})
-target_link_libraries(vehicle_simbody INTERFACE SimTKsimbody SimTKmath SimTKcommon)
-
 function(vehicle_room name)
   cmake_parse_arguments(room "" "" "USES;PUBLICLY;PRIVATELY" ${ARGN})
   if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/CMakeLists.txt)

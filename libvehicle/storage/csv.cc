@@ -1,1 +1,179 @@
-// to be written
+#include "libvehicle/storage/csv.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/storage/read_file.h"
+#include "libvehicle/storage/run_record.h"
+
+namespace vehicle {
+
+namespace {
+
+constexpr std::size_t kMostProblems = 20;
+constexpr const char* kExample = "a header reads e.g. \"time [s],carbody.z [m]\"";
+
+// Only names that need it are quoted (RFC 4180): a comma in a part's name would shift every later column.
+void appendField(std::string& line, const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char c : text) {
+    if (c == '"') line += '"';
+    line += c;
+  }
+  line += '"';
+}
+
+void appendNumber(std::string& line, double value) {
+  std::array<char, 32> text;  // the longest shortest form, -2.2250738585072014e-308, has 24 characters
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  line.append(text.data(), end);
+}
+
+// The next line without its end; moves `rest` behind it.
+std::string_view takeLine(std::string_view& rest) {
+  const std::size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+// Fields of the header line; nothing if a quote stays open.
+std::optional<std::vector<std::string>> splitHeader(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += line[i++];
+    } else if (line[i] == '"') {
+      quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += line[i];
+    }
+  }
+  if (quoted) return std::nullopt;
+  return fields;
+}
+
+// "carbody.z [m]" -> {"carbody.z", "m"}
+std::optional<Channel> channelOf(const std::string& field) {
+  const std::size_t bracket = field.rfind(" [");
+  if (bracket == std::string::npos || bracket == 0 || !field.ends_with(']')) return std::nullopt;
+  return Channel{field.substr(0, bracket), field.substr(bracket + 2, field.size() - bracket - 3)};
+}
+
+std::vector<Channel> readHeader(std::string_view line, const std::string& file, ProblemList& problems) {
+  const Place place{file, 1};
+  std::vector<Channel> channels;
+  const auto fields = splitHeader(line);
+  if (!fields) {
+    problems.add({place, "", "a quote in the header is never closed", ""});
+    return channels;
+  }
+  std::set<std::string> names;
+  for (const std::string& field : *fields) {
+    if (problems.size() >= kMostProblems) break;
+    const std::optional<Channel> channel = channelOf(field);
+    if (!channel) {
+      problems.add({place, "", fmt::format("column \"{}\" has no name with a unit in brackets", field), kExample});
+    } else if (channels.empty() && *channel != Channel{"time", "s"}) {
+      problems.add({place, "", fmt::format("the first column is \"{}\", must be \"time [s]\"", field), kExample});
+    } else if (!names.insert(channel->name).second) {
+      problems.add({place, "", fmt::format("column \"{}\" stands there twice", channel->name), ""});
+    }
+    channels.push_back(channel.value_or(Channel{}));
+  }
+  return channels;
+}
+
+// Fills `row` from a line; adds a problem where that is impossible.
+void readRow(std::string_view line, const Place& place, const std::vector<Channel>& columns, std::vector<double>& row,
+             ProblemList& problems) {
+  row.clear();
+  std::size_t fields = 0;
+  for (bool more = true; more; ++fields) {
+    const std::size_t comma = line.find(',');
+    const std::string_view field = line.substr(0, comma);
+    more = comma != std::string_view::npos;
+    line.remove_prefix(more ? comma + 1 : line.size());
+    if (fields >= columns.size()) continue;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) {
+      problems.add(
+          {place, "", fmt::format("column \"{}\": \"{}\" is no finite number", columns[fields].name, field), ""});
+      return;
+    }
+    row.push_back(value);
+  }
+  if (fields != columns.size()) {
+    problems.add({place, "", fmt::format("the row has {} fields, the header {}", fields, columns.size()), ""});
+  }
+}
+
+}  // namespace
+
+void writeCsv(const TimeHistory& history, const std::filesystem::path& path) {
+  requireStorable(history);
+  AtomicFile file(path);
+  std::string text;
+  for (const Channel& column : history.columns()) {
+    if (!text.empty()) text += ',';
+    appendField(text, fmt::format("{} [{}]", column.name, column.unit));
+  }
+  text += '\n';
+  constexpr std::size_t kBlock = 1 << 20;
+  for (std::size_t i = 0; i < history.samples(); ++i) {
+    for (const double value : history.row(i)) {
+      appendNumber(text, value);
+      text += ',';
+    }
+    text.back() = '\n';
+    if (text.size() < kBlock) continue;
+    file.write(text);
+    text.clear();
+  }
+  file.write(text);
+  file.publish();
+}
+
+Outcome<TimeHistory> readCsv(const std::filesystem::path& path) {
+  Outcome<TimeHistory> outcome;
+  const Outcome<std::string> bytes = readFile(path);
+  outcome.problems = bytes.problems;
+  if (!bytes.ok()) return outcome;
+
+  std::string_view rest = *bytes.value;
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+  const std::string file = path.string();
+  const std::vector<Channel> columns = readHeader(takeLine(rest), file, outcome.problems);
+  if (!outcome.problems.empty()) return outcome;
+
+  TimeHistory history(std::vector<Channel>(columns.begin() + 1, columns.end()));
+  std::vector<double> row;
+  for (int line = 2; !rest.empty() && outcome.problems.size() < kMostProblems; ++line) {
+    const Place place{file, line};
+    readRow(takeLine(rest), place, columns, row, outcome.problems);
+    if (!outcome.problems.empty()) continue;
+    std::copy(row.begin(), row.end(), history.append(row[0]).begin());
+  }
+  if (outcome.problems.empty()) outcome.value = std::move(history);
+  return outcome;
+}
+
+}  // namespace vehicle

@@ -1,0 +1,75 @@
+#include "libvehicle/storage/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "libvehicle/diagnostics/problem.h"
+
+namespace vehicle {
+
+namespace fs = std::filesystem;
+
+AtomicFile::AtomicFile(const fs::path& path) : shown_(path.string()), target_(path) {
+  std::error_code ignored;
+  if (fs::is_symlink(path, ignored)) target_ = fs::weakly_canonical(path, ignored);
+  const fs::file_status status = fs::status(target_, ignored);
+  if (fs::is_directory(status)) fail("cannot be written", EISDIR, "name a file in it");
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw RunFailed(fmt::format("{}: cannot be written: it is a device or pipe; name a regular file", shown_));
+  }
+  // Renaming asks the folder for permission only: a file that its owner made read-only would be replaced.
+  if (fs::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail("cannot be replaced", errno);
+
+  constexpr int kAttempts = 1000;
+  for (int attempt = 0; attempt < kAttempts && descriptor_ < 0; ++attempt) {
+    temporary_ = target_;
+    temporary_ += fmt::format(".{}-{}.vehicle-tmp", ::getpid(), attempt);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) break;
+  }
+  if (descriptor_ < 0) fail("cannot be written", errno, "its folder must exist and be writable");
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::fail(const char* action, int error, const char* remedy) const {
+  const std::string reason = std::generic_category().message(error);
+  throw RunFailed(fmt::format("{}: {}: {}{}{}", shown_, action, reason, *remedy != '\0' ? "; " : "", remedy));
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot be written", errno, "the file that stood there before is unchanged");
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::publish() {
+  // The data must be on the disk before the name points at them, or a power cut leaves an empty file under it.
+  if (::fsync(descriptor_) != 0) fail("cannot be flushed", errno, "the file that stood there before is unchanged");
+  const int closed = ::close(descriptor_);
+  descriptor_ = -1;
+  if (closed != 0) fail("cannot be closed", errno, "the file that stood there before is unchanged");
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be renamed into place", errno);
+  temporary_.clear();
+
+  // Makes the new name last. Some file systems refuse to flush a folder; the file itself is safe already.
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  if (const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) {
+    ::fsync(handle);
+    ::close(handle);
+  }
+}
+
+}  // namespace vehicle

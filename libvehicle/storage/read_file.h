@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "libvehicle/diagnostics/problem.h"
+
+namespace vehicle {
+
+/// All bytes of a file, or the system's reason why not as a problem of that file.
+[[nodiscard]] Outcome<std::string> readFile(const std::filesystem::path& path);
+
+}  // namespace vehicle

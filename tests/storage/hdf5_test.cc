@@ -1,0 +1,140 @@
+#include "libvehicle/storage/hdf5.h"
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "libvehicle/storage/csv.h"
+#include "libvehicle/storage/history_file.h"
+#include "tests/storage/scratch.h"
+
+namespace vehicle {
+namespace {
+
+using test::awkwardHistory;
+using test::contentOf;
+using test::put;
+using test::Scratch;
+
+RunRecord exampleRecord() {
+  return {.history = awkwardHistory(),
+          .attributes = {{"version", "0.1.0"}, {"form", "flat"}, {"method", "exact"}, {"seed", ""}},
+          .inputs = {{"models/vehicles/coach.xml", "<vehicle name=\"Z\xC3\xBCrich\"/>\n"}, {"empty.xml", ""}}};
+}
+
+std::string messageOf(const RunRecord& record) {
+  const Scratch scratch;
+  try {
+    writeHdf5(record, scratch / "run.h5");
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(scratch.entries(), 0u);
+    return error.what();
+  }
+  return "written";
+}
+
+TEST(Hdf5, ARecordReadsBackToTheSameBits) {
+  const Scratch scratch;
+  const RunRecord record = exampleRecord();
+  writeHdf5(record, scratch / "run.h5");
+  const RunRecord back = readHdf5(scratch / "run.h5").orThrow();
+  EXPECT_EQ(back.attributes, record.attributes);
+  EXPECT_EQ(back.inputs, record.inputs);
+  EXPECT_EQ(back.history.columns(), record.history.columns());
+  ASSERT_EQ(back.history.samples(), record.history.samples());
+  for (std::size_t i = 0; i < back.history.samples(); ++i) {
+    for (std::size_t j = 0; j < back.history.columns().size(); ++j) {
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(back.history.at(i, j)),
+                std::bit_cast<std::uint64_t>(record.history.at(i, j)))
+          << "sample " << i << ", column " << j;
+    }
+  }
+}
+
+TEST(Hdf5, ColumnsKeepTheirOrderBeyondAnyAlphabet) {
+  const Scratch scratch;
+  std::vector<Channel> channels;
+  for (int i = 40; i > 0; --i) channels.push_back({"column_" + std::to_string(i), "m"});
+  const RunRecord record{TimeHistory(channels), {}, {}};
+  writeHdf5(record, scratch / "run.h5");
+  EXPECT_EQ(readHdf5(scratch / "run.h5").orThrow().history.columns(), record.history.columns());
+}
+
+TEST(Hdf5, TheSameRecordGivesTheSameBytes) {
+  const Scratch scratch;
+  writeHdf5(exampleRecord(), scratch / "a.h5");
+  // HDF5 stores times in whole seconds: only a later second would show one.
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  writeHdf5(exampleRecord(), scratch / "b.h5");
+  EXPECT_EQ(contentOf(scratch / "a.h5"), contentOf(scratch / "b.h5"));
+}
+
+TEST(Hdf5, WhatItCannotHoldIsRefusedByName) {
+  const RunRecord slash{TimeHistory(std::vector<Channel>{{"front/bogie.z", "m"}}), {}, {}};
+  EXPECT_EQ(messageOf(slash),
+            "run record: column \"front/bogie.z\" is no name in HDF5; must not be empty, \".\" or hold \"/\"");
+  const RunRecord twice{TimeHistory(std::vector<Channel>{{"a", "m"}, {"a", "m"}}), {}, {}};
+  EXPECT_EQ(messageOf(twice), "run record: column \"a\" twice");
+  RunRecord zero = exampleRecord();
+  zero.inputs[0].text[3] = '\0';
+  EXPECT_EQ(messageOf(zero), "run record: input file \"models/vehicles/coach.xml\" holds a zero byte, must be text");
+  RunRecord infinite = exampleRecord();
+  infinite.history.append(7.5)[1] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(messageOf(infinite), "history: column \"carbody.z\" is inf at time 7.5 s, must be finite");
+}
+
+TEST(Hdf5Reader, OtherFilesAreToldApartAndNothingIsPrinted) {
+  const Scratch scratch;
+  const std::string path = (scratch / "run.h5").string();
+  ::testing::internal::CaptureStderr();
+  put(path, "time [s]\n0\n");
+  EXPECT_EQ(readHdf5(path).problems.text(), path + ": error: is no HDF5 file\n");
+  EXPECT_EQ(readHdf5(scratch / "missing.h5").problems.text(),
+            (scratch / "missing.h5").string() + ": error: cannot be read: No such file or directory\n");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+// A copy that was cut short anywhere: a problem, never a crash, a hang or a print.
+TEST(Hdf5Reader, FilesCutShortEndInAProblem) {
+  const Scratch scratch;
+  writeHdf5(exampleRecord(), scratch / "whole.h5");
+  const std::string whole = contentOf(scratch / "whole.h5");
+  ::testing::internal::CaptureStderr();
+  for (std::size_t length = 8; length < whole.size(); length += whole.size() / 50) {
+    put(scratch / "cut.h5", whole.substr(0, length));
+    const auto outcome = readHdf5(scratch / "cut.h5");
+    EXPECT_FALSE(outcome.ok()) << "cut at " << length;
+    EXPECT_FALSE(outcome.problems.empty()) << "cut at " << length;
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(HistoryFile, TheExtensionChoosesTheFormat) {
+  const Scratch scratch;
+  const RunRecord record = exampleRecord();
+  writeHistory(scratch / "run.csv", record);
+  writeHistory(scratch / "run.h5", record);
+  EXPECT_EQ(readCsv(scratch / "run.csv").orThrow().columns(), record.history.columns());
+  EXPECT_EQ(readHdf5(scratch / "run.h5").orThrow().inputs, record.inputs);
+}
+
+TEST(HistoryFile, AnyOtherExtensionIsRefusedNamingBoth) {
+  for (const std::string name : {"run.mat", "run", "run.CSV", ".h5"}) {
+    try {
+      writeHistory(name, exampleRecord());
+      ADD_FAILURE() << name << " was written";
+    } catch (const std::invalid_argument& error) {
+      const std::string extension = std::filesystem::path(name).extension().string();
+      EXPECT_EQ(error.what(), name + ": extension \"" + extension + "\" is unknown; name it .csv (text) or .h5 (HDF5)");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vehicle

@@ -58,7 +58,8 @@ struct Ramp {
 
 struct Track {
   History history = History::kOnset;
-  std::optional<double> fade_in;  // [m] > 0: with onset, harmonics are multiplied by (1 - cos(pi s/fade_in))/2 until s = fade_in
+  /// [m] > 0: with onset, harmonics are multiplied by (1 - cos(pi s/fade_in))/2 until s = fade_in
+  std::optional<double> fade_in;
   std::vector<Harmonic> harmonics;
   std::vector<Dip> dips;
   std::vector<Ramp> ramps;

@@ -49,7 +49,7 @@ struct TopologySuspension {
   double arm_upper = 0.0;  // [m] x - x of the upper body's centre of gravity
   double arm_lower = 0.0;  // [m] x - x of the lower body's; 0 for a wheelset
   double height_upper = 0.0;  // [m] of its upper end above the upper body's centre of gravity; 0 without heights
-  double height_lower = 0.0;  // [m] of its lower end above the lower body's; 0 without heights
+  double height_lower = 0.0;  // [m] of its lower end above the lower body's (or axle); 0 without heights
   std::optional<double> preload;  // [N] compression, as given
 };
 
@@ -76,9 +76,11 @@ struct Topology {
 [[nodiscard]] std::vector<Channel> stateChannels(const Topology& topology);
 
 /// Columns of a result after `time`, the same for every form, in this order:
-/// per body        .z [m] .pitch [rad] .vz [m/s] .pitch_rate [rad/s] .az [m/s^2] .pitch_acc [rad/s^2], as far as it moves
+/// per body        .z [m] .pitch [rad] .vz [m/s] .pitch_rate [rad/s] .az [m/s^2] .pitch_acc [rad/s^2], as far as it
+///                 moves
 /// per suspension  .deflection [m] (elongation-positive, dynamic part) .force [N] (the same)
-/// per wheelset    .rail_z [m], .z .vz .az where it has its own motion, .load [N] (wheel-rail force, compression-positive, static part included)
+/// per wheelset    .rail_z [m], .z .vz .az where it has its own motion, .load [N] (wheel-rail force,
+///                 compression-positive, static part included)
 /// per point       .z .vz .az
 [[nodiscard]] std::vector<Channel> resultChannels(const Topology& topology);
 

@@ -106,6 +106,11 @@ struct Vehicle {
   bool operator==(const Vehicle&) const = default;
 };
 
+/// Whether the body's motion names it.
+[[nodiscard]] bool moves(const Body& body, Motion motion);
+/// Whether the wheelset has a height of its own instead of following the rail: mass on a contact spring.
+[[nodiscard]] bool hasOwnMotion(const Wheelset& wheelset);
+
 /// Contradictions that no single value shows: duplicate names, dangling references, a body that nothing
 /// carries, heights given for some parts only, non-finite or non-positive values, ...
 [[nodiscard]] ProblemList check(const Vehicle& vehicle);

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libvehicle/definition/judge.h"
+#include "libvehicle/definition/scenario.h"
+#include "libvehicle/definition/vehicle.h"
+
+// A scenario held against the vehicle that is to run it.
+namespace vehicle {
+
+namespace {
+
+using enum Dimension;
+
+template <class Part>
+const Part* find(const std::vector<Part>& parts, const std::string& name) {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
+  return found == parts.end() ? nullptr : &*found;
+}
+
+template <class Part>
+void append(std::vector<std::string>& names, const std::vector<Part>& parts) {
+  for (const Part& part : parts) names.push_back(part.name);
+}
+
+std::string orNearest(std::string wanted, const std::string& name, const std::vector<std::string>& candidates) {
+  const auto nearest = nearestName(name, candidates);
+  return nearest ? wanted + "; did you mean \"" + *nearest + "\"?" : wanted;
+}
+
+void checkInputs(const Rig& rig, const Vehicle& vehicle, ProblemList& problems) {
+  std::vector<std::string> wheelsets;
+  append(wheelsets, vehicle.wheelsets);
+  for (const RigInput& input : rig.inputs) {
+    if (find(vehicle.wheelsets, input.wheelset) != nullptr) continue;
+    Judge(problems, "<scenario><rig><input>", "", input.origin)
+        .say(written("wheelset", input.wheelset) + " names no wheelset of the vehicle \"" + vehicle.name + '"',
+             orNearest("a rig drives wheelsets", input.wheelset, wheelsets));
+  }
+}
+
+/// A value for a motion that the part does not have would be lost without a word. 0 says nothing and is free.
+void checkStill(Judge& judge, std::string_view attribute, double value, Dimension dimension, bool moving,
+                const std::string& name, std::string_view motion) {
+  if (moving || value == 0.0) return;
+  judge.say(written(attribute, value, dimension) + ", but \"" + name + "\" has no motion " + std::string(motion),
+            "leave it out");
+}
+
+void checkInitialBody(const InitialBody& initial, const Vehicle& vehicle, const std::vector<std::string>& names,
+                      ProblemList& problems) {
+  Judge judge(problems, "<scenario><initial_state><body>", initial.name, initial.origin);
+  const Body* body = find(vehicle.bodies, initial.name);
+  const Wheelset* wheelset = find(vehicle.wheelsets, initial.name);
+  if (body == nullptr && wheelset == nullptr) {
+    judge.say(written("name", initial.name) + " names no body or wheelset of the vehicle \"" + vehicle.name + '"',
+              orNearest("bodies and wheelsets have an initial state", initial.name, names));
+    return;
+  }
+  if (wheelset != nullptr && !hasOwnMotion(*wheelset)) {
+    judge.say(written("name", initial.name) + " is a wheelset that follows the rail",
+              "only one with mass and contact has a state of its own");
+    return;
+  }
+  const bool rises = wheelset != nullptr || moves(*body, Motion::kZ);
+  const bool pitches = wheelset == nullptr && moves(*body, Motion::kPitch);
+  checkStill(judge, "z", initial.z, kLength, rises, initial.name, "z");
+  checkStill(judge, "z_rate", initial.z_rate, kSpeed, rises, initial.name, "z");
+  checkStill(judge, "pitch", initial.pitch, kAngle, pitches, initial.name, "pitch");
+  checkStill(judge, "pitch_rate", initial.pitch_rate, kAngularVelocity, pitches, initial.name, "pitch");
+}
+
+}  // namespace
+
+ProblemList check(const Scenario& scenario, const Vehicle& vehicle) {
+  ProblemList problems;
+  if (scenario.rig) checkInputs(*scenario.rig, vehicle, problems);
+  std::vector<std::string> names;
+  append(names, vehicle.bodies);
+  append(names, vehicle.wheelsets);
+  for (const InitialBody& initial : scenario.initial_state.bodies) {
+    checkInitialBody(initial, vehicle, names, problems);
+  }
+  problems.sortByPlace();
+  return problems;
+}
+
+}  // namespace vehicle

@@ -1,6 +1,7 @@
 #include "libvehicle/system/input.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <sstream>
@@ -58,17 +59,53 @@ void check(std::size_t index, int channels, const InputSegment& segment) {
   if (twin != sorted.end()) refuse(index, "angular_frequency " + text(*twin) + " rad/s stands there twice");
 }
 
-// Row k += p[k] c + q[k] s; a width known to the compiler (four wheelsets: 8) becomes straight SIMD code.
+// The loops below run over a row of `width` = 2 w values. A width known to the compiler (four wheelsets: 8) becomes
+// straight SIMD code; kWidth = 0 stands for any other. A row of frequency f is p = (cosine, w sine), then
+// q = (sine, -w cosine): value += p cos(w s) + q sin(w s).
 template <int kWidth>
-inline void addRow(const double* p, const double* q, double c, double s, int width, double* u) {
+inline void addRow(const double* __restrict p, const double* __restrict q, double c, double s, int width,
+                   double* __restrict u) {
   const int n = kWidth > 0 ? kWidth : width;
   for (int k = 0; k < n; ++k) u[k] += p[k] * c + q[k] * s;
 }
 
 template <int kWidth>
-inline void setPolynomialRow(const double* e, double s, int width, double* u) {
+inline void setPolynomialRow(const double* __restrict e, double s, int width, double* __restrict u) {
   const int n = kWidth > 0 ? kWidth : width;
   for (int k = 0; k < n; ++k) u[k] = e[k] + s * (e[n + k] + s * (e[2 * n + k] + s * e[3 * n + k]));
+}
+
+// Sine and cosine of w s, stepped by the angle w dt.
+struct Oscillator {
+  double cosine, sine, turn_cosine, turn_sine;
+  Oscillator(double omega, double s, double dt)
+      : cosine(std::cos(omega * s)),
+        sine(std::sin(omega * s)),
+        turn_cosine(std::cos(omega * dt)),
+        turn_sine(std::sin(omega * dt)) {}
+  void turn() {
+    const double turned = cosine * turn_cosine - sine * turn_sine;
+    sine = sine * turn_cosine + cosine * turn_sine;
+    cosine = turned;
+  }
+};
+
+template <int kWidth>
+inline void sweepOne(const double* __restrict p, Oscillator f, int count, int width, double* __restrict u) {
+  const int n = kWidth > 0 ? kWidth : width;
+  for (int i = 0; i < count; ++i, u += n, f.turn()) addRow<kWidth>(p, p + n, f.cosine, f.sine, width, u);
+}
+
+// Two frequencies in one pass: their rotations overlap, and a row is loaded and stored half as often.
+template <int kWidth>
+inline void sweepTwo(const double* __restrict p, Oscillator f, Oscillator g, int count, int width,
+                     double* __restrict u) {
+  const int n = kWidth > 0 ? kWidth : width;
+  for (int i = 0; i < count; ++i, u += n, f.turn(), g.turn()) {
+    for (int k = 0; k < n; ++k) {
+      u[k] = (u[k] + (p[k] * f.cosine + p[n + k] * f.sine)) + (p[2 * n + k] * g.cosine + p[3 * n + k] * g.sine);
+    }
+  }
 }
 
 }  // namespace
@@ -112,27 +149,41 @@ void Input::packRows(const InputSegment& segment) {
 }
 
 template <int kWidth>
-void Input::evaluateRows(const InputSegment& segment, Rows rows, double t, double* u, bool accelerations) const {
+void Input::evaluateRows(const InputSegment& segment, Rows rows, double t, double* u) const {
   const int width = kWidth > 0 ? kWidth : 2 * channels_;
-  const int w = width / 2;
   const double s = t - segment.begin;
   const double* row = rows_.data() + rows.offset;
-  double* acceleration = u + width;
-  std::fill_n(u, accelerations ? width + w : width, 0.0);
+  // Sums of a known width are kept in registers: going through u costs a store and a load a frequency.
+  std::array<double, (kWidth > 0 ? kWidth : 1)> sums{};
+  double* sum = kWidth > 0 ? sums.data() : u;
   if (rows.polynomial) {
-    setPolynomialRow<kWidth>(row, s, width, u);
-    if (accelerations) {
-      for (int j = 0; j < w; ++j) acceleration[j] = 2.0 * row[2 * width + j] + 6.0 * row[3 * width + j] * s;
-    }
+    setPolynomialRow<kWidth>(row, s, width, sum);
+    row += 4 * width;
+  } else {
+    std::fill_n(sum, width, 0.0);
+  }
+  for (const double omega : segment.angular_frequency) {
+    const double sine = std::sin(omega * s);
+    const double cosine = std::cos(omega * s);
+    addRow<kWidth>(row, row + width, cosine, sine, width, sum);
+    row += 2 * width;
+  }
+  if constexpr (kWidth > 0) std::copy(sums.begin(), sums.end(), u);
+}
+
+void Input::evaluateAccelerations(const InputSegment& segment, Rows rows, double t, double* acceleration) const {
+  const int width = 2 * channels_;
+  const double s = t - segment.begin;
+  const double* row = rows_.data() + rows.offset;
+  std::fill_n(acceleration, channels_, 0.0);
+  if (rows.polynomial) {
+    for (int j = 0; j < channels_; ++j) acceleration[j] = 2.0 * row[2 * width + j] + 6.0 * row[3 * width + j] * s;
     row += 4 * width;
   }
   for (const double omega : segment.angular_frequency) {
     const double sine = std::sin(omega * s);
     const double cosine = std::cos(omega * s);
-    addRow<kWidth>(row, row + width, cosine, sine, width, u);
-    if (accelerations) {
-      for (int j = 0; j < w; ++j) acceleration[j] -= omega * omega * (row[j] * cosine + row[width + j] * sine);
-    }
+    for (int j = 0; j < channels_; ++j) acceleration[j] -= omega * omega * (row[j] * cosine + row[width + j] * sine);
     row += 2 * width;
   }
 }
@@ -146,10 +197,11 @@ void Input::evaluate(int segment, double t, std::span<double> u) const {
   }
   const auto index = static_cast<std::size_t>(segment);
   if (channels_ == 4) {
-    evaluateRows<8>(segments_[index], index_[index], t, u.data(), u.size() == 3 * w);
+    evaluateRows<8>(segments_[index], index_[index], t, u.data());
   } else {
-    evaluateRows<0>(segments_[index], index_[index], t, u.data(), u.size() == 3 * w);
+    evaluateRows<0>(segments_[index], index_[index], t, u.data());
   }
+  if (u.size() == 3 * w) evaluateAccelerations(segments_[index], index_[index], t, u.data() + 2 * w);
 }
 
 template <int kWidth>
@@ -169,19 +221,12 @@ void Input::sweepRows(const InputSegment& segment, Rows rows, double t0, double 
       std::fill_n(block, n * width, 0.0);
     }
     const double s = (t0 + (first + done) * dt) - segment.begin;
-    for (const double omega : segment.angular_frequency) {
-      double sine = std::sin(omega * s);
-      double cosine = std::cos(omega * s);
-      const double turn_sine = std::sin(omega * dt);
-      const double turn_cosine = std::cos(omega * dt);
-      for (int i = 0; i < n; ++i) {
-        addRow<kWidth>(row, row + width, cosine, sine, width, block + i * width);
-        const double turned = cosine * turn_cosine - sine * turn_sine;
-        sine = sine * turn_cosine + cosine * turn_sine;
-        cosine = turned;
-      }
-      row += 2 * width;
+    const std::vector<double>& omega = segment.angular_frequency;
+    std::size_t f = 0;
+    for (; f + 1 < omega.size(); f += 2, row += 4 * width) {
+      sweepTwo<kWidth>(row, Oscillator(omega[f], s, dt), Oscillator(omega[f + 1], s, dt), n, width, block);
     }
+    if (f < omega.size()) sweepOne<kWidth>(row, Oscillator(omega[f], s, dt), n, width, block);
   }
 }
 

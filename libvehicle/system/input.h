@@ -73,7 +73,8 @@ class Input {
     bool polynomial = false;  // four rows E0..E3 come first: value = E0 + s (E1 + s (E2 + s E3))
   };
   template <int kWidth>
-  void evaluateRows(const InputSegment& segment, Rows rows, double t, double* u, bool accelerations) const;
+  void evaluateRows(const InputSegment& segment, Rows rows, double t, double* u) const;
+  void evaluateAccelerations(const InputSegment& segment, Rows rows, double t, double* acceleration) const;
   template <int kWidth>
   void sweepRows(const InputSegment& segment, Rows rows, double t0, double dt, int first, int count, double* u) const;
   void packRows(const InputSegment& segment);

@@ -150,6 +150,31 @@ TEST(Input, SweepStaysWithinItsStatedErrorOfSingleValues) {
   }
 }
 
+TEST(Input, SweepServesAnyNumberOfFrequenciesWithAndWithoutPolynomial) {
+  for (const std::size_t frequencies : {0u, 1u, 2u, 3u, 5u, 8u}) {
+    for (const double level : {0.0, 1.0}) {
+      InputSegment piece;
+      piece.begin = 0.0;
+      piece.end = 10.0;
+      for (std::size_t f = 0; f < frequencies; ++f) {
+        piece.angular_frequency.push_back(1.0 + 0.7 * static_cast<double>(f));
+        piece.cosine.push_back(0.1 * static_cast<double>(f + 1));
+        piece.sine.push_back(0.2);
+      }
+      piece.polynomial = {level, -level, 2.0 * level, -0.5 * level};
+      const Input input(1, {piece});
+      std::vector<double> swept(2 * 150), u(2);
+      input.sweep(0, 0.2, 1e-2, 150, swept);
+      for (std::size_t i = 0; i < 150; ++i) {
+        input.evaluate(0, 0.2 + static_cast<double>(i) * 1e-2, u);
+        // sweepError of at most 5 m in all, at 10 s: 3e-13, of which rounding uses a few per cent.
+        EXPECT_WITHIN(swept[2 * i], u[0], 2e-14);
+        EXPECT_WITHIN(swept[2 * i + 1], u[1], 6e-14);
+      }
+    }
+  }
+}
+
 TEST(Input, SweepCutAtBlocksGivesTheBitsOfOneSweep) {
   const Input input(4, {rail(4, 0.0, 9.0)});
   const int count = 5 * Input::kBlock + 17;

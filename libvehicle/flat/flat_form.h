@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "libvehicle/definition/vehicle.h"
+#include "libvehicle/flat/flat_model.h"
 #include "libvehicle/system/system.h"
 
 namespace vehicle {
@@ -17,11 +19,32 @@ enum class FlatVariant {
 
 /// Why the flat form cannot represent this vehicle, one problem an element; empty if it can. It represents one
 /// carbody (z, pitch) on two bogies (z) by one suspension each, each bogie on two wheelsets that follow the
-/// rail; front and rear may differ in everything. The printed variants also need the paper's symmetry.
+/// rail; front and rear may differ in everything. The printed variants also need the paper's symmetry and no static
+/// loads at heights. A vehicle that contradicts itself gives check()'s problems.
 [[nodiscard]] ProblemList flatMisfits(const Vehicle& vehicle, FlatVariant variant);
 
-/// @throws InvalidInput with flatMisfits()
-[[nodiscard]] std::unique_ptr<System> buildFlatForm(const Vehicle& vehicle, double gravity,
-                                                    FlatVariant variant = FlatVariant::kConsistent);
+/// The paper's equations for one vehicle. States, channels and columns are in the vehicle's own order, as in every
+/// form; inside, the equations count parts from the front. Immutable: one object serves any number of threads.
+class FlatForm : public System {
+ public:
+  [[nodiscard]] virtual FlatVariant variant() const = 0;
+  [[nodiscard]] virtual const FlatParameters& parameters() const = 0;
+
+  /// The right-hand side in inner order, for steppers that take it by type; nothing for the printed variants.
+  /// It gives the bits of derivative(): both call the same equations.
+  [[nodiscard]] virtual const FlatRhs* rhs() const = 0;
+
+  /// Entry i of the inner state (zk, phi, z1, z2, zk', phi', z1', z2') is entry stateOrder()[i] of x. The identity
+  /// where the file names carbody, front and rear bogie in this order.
+  [[nodiscard]] virtual const std::array<int, 8>& stateOrder() const = 0;
+
+  /// Inner wheel i (0 leads) is channel wheelOrder()[i] of the input: eta_i = u[wheelOrder()[i]], its rate
+  /// u[4 + wheelOrder()[i]].
+  [[nodiscard]] virtual const std::array<int, 4>& wheelOrder() const = 0;
+};
+
+/// @throws InvalidInput with flatMisfits(), or as restOf() where the springs cannot carry the weight
+[[nodiscard]] std::unique_ptr<FlatForm> buildFlatForm(const Vehicle& vehicle, double gravity,
+                                                      FlatVariant variant = FlatVariant::kConsistent);
 
 }  // namespace vehicle

@@ -20,13 +20,15 @@ struct SecondOrder {
 
 /// The linear form of any topology: bodies, wheelsets that follow the rail or stand on a linear contact
 /// spring, linear suspensions. Each spring-damper with row vector r adds c r^T r to K and b r^T r to C; under a
-/// wheel on the rail c r^T goes to B0 and b r^T to B1.
+/// wheel on the rail c r^T goes to B0 and b r^T to B1. A Hertz contact is taken at its static load. Static loads at
+/// heights add to the diagonal of K, which may then lose its definiteness. Immutable: one object serves any number
+/// of threads.
 class MatrixForm : public System {
  public:
   [[nodiscard]] virtual const SecondOrder& matrices() const = 0;
 };
 
-/// @throws InvalidInput if the vehicle contradicts itself or nothing of it moves
+/// @throws InvalidInput if the vehicle contradicts itself, nothing of it moves, or its springs cannot carry it
 [[nodiscard]] std::unique_ptr<MatrixForm> buildMatrixForm(const Vehicle& vehicle, double gravity);
 
 }  // namespace vehicle

@@ -1,1 +1,241 @@
-// to be written
+#include "libvehicle/statics/rest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include <Eigen/QR>
+
+namespace vehicle {
+namespace {
+
+// Preloads copied from a drawing carry six digits; a weight that is really uncarried is off by orders more.
+constexpr double kBalance = 1e-6;
+// Contact springs are about 1000 times stiffer than suspensions, and the scaled matrix takes that out; below
+// this share of its largest pivot a direction has no spring at all.
+constexpr double kRank = 1e-12;
+constexpr int kHertzIterations = 100;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(6);
+  text << value;
+  return text.str();
+}
+
+/// Elongation of a suspension = row . q.
+Eigen::VectorXd elongationRow(const Topology& topology, const TopologySuspension& suspension) {
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(topology.coordinates);
+  const auto add = [&row](const TopologyBody& body, double sign, double arm) {
+    if (body.z_index >= 0) row[body.z_index] += sign;
+    if (body.pitch_index >= 0) row[body.pitch_index] += sign * arm;
+  };
+  add(topology.bodies[at(suspension.upper)], 1.0, suspension.arm_upper);
+  if (suspension.lower_body >= 0) {
+    add(topology.bodies[at(suspension.lower_body)], -1.0, suspension.arm_lower);
+  } else if (const int z = topology.wheelsets[at(suspension.lower_wheelset)].z_index; z >= 0) {
+    row[z] -= 1.0;
+  }
+  return row;
+}
+
+/// K d = force
+struct Balance {
+  Eigen::MatrixXd stiffness;
+  Eigen::VectorXd force;
+};
+
+Balance suspensionBalance(const Topology& topology, double gravity, const std::vector<Eigen::VectorXd>& rows) {
+  const int n = topology.coordinates;
+  Balance balance{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
+  for (const TopologyBody& body : topology.bodies) {
+    if (body.z_index >= 0) balance.force[body.z_index] -= body.mass * gravity;
+  }
+  for (const TopologyWheelset& wheelset : topology.wheelsets) {
+    if (wheelset.z_index >= 0) balance.force[wheelset.z_index] -= wheelset.mass * gravity;
+  }
+  for (std::size_t s = 0; s < rows.size(); ++s) {
+    const TopologySuspension& suspension = topology.suspensions[s];
+    if (suspension.preload) {
+      balance.force += *suspension.preload * rows[s];
+    } else {
+      balance.stiffness += suspension.stiffness * rows[s] * rows[s].transpose();
+    }
+  }
+  return balance;
+}
+
+/// Least deflections that satisfy the balance; motions without any spring stay at 0.
+Eigen::VectorXd solve(const Balance& balance) {
+  const Eigen::Index n = balance.force.size();
+  Eigen::VectorXd scale(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double k = balance.stiffness(i, i);
+    scale[i] = k > 0.0 ? 1.0 / std::sqrt(k) : 1.0;
+  }
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * balance.stiffness * scale.asDiagonal();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(kRank);
+  decomposition.compute(scaled);
+  const Eigen::VectorXd right = scale.asDiagonal() * balance.force;
+  Eigen::VectorXd solution = decomposition.solve(right);
+  // One refinement brings the loads to rounding level, so that mirrored axles show equal loads to the last digits.
+  solution += decomposition.solve(Eigen::VectorXd(right - scaled * solution));
+  return scale.asDiagonal() * solution;
+}
+
+/// A topology does not know lines, so the part is told by its name.
+Problem problem(const char* kind, const std::string& name, std::string message, std::string remedy) {
+  return Problem{{}, std::string("<vehicle><") + kind + " name=\"" + name + "\">", std::move(message), std::move(remedy)};
+}
+
+/// What acts on each coordinate that nothing takes up, told with the part's name.
+ProblemList uncarried(const Topology& topology, const Balance& balance, const Eigen::VectorXd& deflection,
+                      const Eigen::VectorXd& size) {
+  static const std::string kRemedy = "give the springs under it a stiffness, or leave out one of the preloads";
+  const Eigen::VectorXd left = balance.force - balance.stiffness * deflection;
+  const auto open = [&](int index) { return index >= 0 && std::abs(left[index]) > kBalance * size[index]; };
+  ProblemList problems;
+  for (const TopologyBody& body : topology.bodies) {
+    if (open(body.z_index)) {
+      problems.add(problem("body", body.name,
+                           "springs and preloads leave a vertical force of " + number(left[body.z_index]) +
+                               " N at rest; the weight must be carried", kRemedy));
+    }
+    if (open(body.pitch_index)) {
+      problems.add(problem("body", body.name,
+                           "springs and preloads leave a pitch moment of " + number(left[body.pitch_index]) +
+                               " N m at rest; moments must balance", kRemedy));
+    }
+  }
+  for (const TopologyWheelset& wheelset : topology.wheelsets) {
+    if (open(wheelset.z_index)) {
+      problems.add(problem("wheelset", wheelset.name,
+                           "springs and preloads leave a vertical force of " + number(left[wheelset.z_index]) +
+                               " N at rest; the weight must be carried", kRemedy));
+    }
+  }
+  return problems;
+}
+
+/// Wheel-rail forces by vertical equilibrium of each wheelset.
+std::vector<double> railForces(const Topology& topology, double gravity, const std::vector<double>& suspension_load) {
+  std::vector<double> force(topology.wheelsets.size());
+  for (std::size_t j = 0; j < force.size(); ++j) force[j] = topology.wheelsets[j].mass * gravity;
+  for (std::size_t s = 0; s < suspension_load.size(); ++s) {
+    const int wheelset = topology.suspensions[s].lower_wheelset;
+    if (wheelset >= 0) force[at(wheelset)] += suspension_load[s];
+  }
+  return force;
+}
+
+ProblemList wheelsOffTheRail(const Topology& topology, const std::vector<double>& wheel_load) {
+  double total = 0.0;
+  for (const double load : wheel_load) total += std::abs(load);
+  ProblemList problems;
+  for (std::size_t j = 0; j < wheel_load.size(); ++j) {
+    const TopologyWheelset& wheelset = topology.wheelsets[j];
+    if (wheel_load[j] < -kBalance * total) {
+      problems.add(problem("wheelset", wheelset.name,
+                           "its static wheel load would be " + number(wheel_load[j]) +
+                               " N; a rail can only push",
+                           "move the centre of gravity between the wheelsets, or give its load"));
+    } else if (wheelset.z_index >= 0 && !wheelset.contact_stiffness && !(wheel_load[j] > kBalance * total)) {
+      problems.add(problem("wheelset", wheelset.name,
+                           "a Hertz contact without static load has no stiffness",
+                           "set gravity > 0, or give its load or contact_stiffness"));
+    }
+  }
+  return problems;
+}
+
+std::vector<double> pitchStiffness(const Topology& topology, const std::vector<double>& suspension_load) {
+  std::vector<double> stiffness(topology.bodies.size(), 0.0);
+  for (std::size_t s = 0; s < suspension_load.size(); ++s) {
+    const TopologySuspension& suspension = topology.suspensions[s];
+    stiffness[at(suspension.upper)] += suspension_load[s] * suspension.height_upper;
+    if (suspension.lower_body >= 0) {
+      stiffness[at(suspension.lower_body)] -= suspension_load[s] * suspension.height_lower;
+    }
+  }
+  return stiffness;
+}
+
+double largestChange(const std::vector<double>& now, const std::vector<double>& before) {
+  double change = 0.0;
+  for (std::size_t j = 0; j < now.size(); ++j) change = std::max(change, std::abs(now[j] - before[j]));
+  return change;
+}
+
+}  // namespace
+
+Rest restOf(const Topology& topology, double gravity) {
+  std::vector<Eigen::VectorXd> rows;
+  rows.reserve(topology.suspensions.size());
+  double weight = 0.0;
+  for (const TopologySuspension& suspension : topology.suspensions) rows.push_back(elongationRow(topology, suspension));
+  for (const TopologyBody& body : topology.bodies) weight += body.mass * gravity;
+  const Balance on_springs = suspensionBalance(topology, gravity, rows);
+
+  // A Hertz spring is as stiff as its load makes it, F / delta = C^(2/3) F^(1/3), and where axles share a load
+  // the load depends on that stiffness. Contacts are far stiffer than suspensions, so the loop contracts fast.
+  Rest rest;
+  std::vector<double> force(topology.wheelsets.size(),
+                            weight / std::max(1.0, static_cast<double>(topology.wheelsets.size())));
+  Balance balance = on_springs;
+  Eigen::VectorXd deflection;
+  for (int iteration = 0; iteration < kHertzIterations; ++iteration) {
+    balance = on_springs;
+    bool hertz = false;
+    for (std::size_t j = 0; j < topology.wheelsets.size(); ++j) {
+      const TopologyWheelset& wheelset = topology.wheelsets[j];
+      if (wheelset.z_index < 0) continue;
+      if (!wheelset.contact_stiffness) hertz = true;
+      balance.stiffness(wheelset.z_index, wheelset.z_index) +=
+          wheelset.contact_stiffness
+              ? *wheelset.contact_stiffness
+              : std::cbrt(std::pow(wheelset.hertz_constant.value_or(0.0), 2.0) * std::max(force[j], 1e-9 * weight));
+    }
+    deflection = solve(balance);
+    rest.suspension_load.assign(rows.size(), 0.0);
+    for (std::size_t s = 0; s < rows.size(); ++s) {
+      const TopologySuspension& suspension = topology.suspensions[s];
+      rest.suspension_load[s] =
+          suspension.preload ? *suspension.preload : 0.0 - suspension.stiffness * rows[s].dot(deflection);
+    }
+    const std::vector<double> before = std::exchange(force, railForces(topology, gravity, rest.suspension_load));
+    if (!hertz || largestChange(force, before) <= 1e-15 * weight) break;
+  }
+
+  Eigen::VectorXd size = on_springs.force.cwiseAbs();
+  for (std::size_t s = 0; s < rows.size(); ++s) size += std::abs(rest.suspension_load[s]) * rows[s].cwiseAbs();
+  ProblemList problems = uncarried(topology, balance, deflection, size);
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
+
+  rest.coordinates.assign(deflection.begin(), deflection.end());
+  rest.wheel_load = force;
+  for (std::size_t j = 0; j < force.size(); ++j) {
+    if (topology.wheelsets[j].load) rest.wheel_load[j] = *topology.wheelsets[j].load;
+  }
+  problems = wheelsOffTheRail(topology, rest.wheel_load);
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
+
+  rest.pitch_stiffness = pitchStiffness(topology, rest.suspension_load);
+  rest.contact_stiffness.assign(force.size(), 0.0);
+  for (std::size_t j = 0; j < force.size(); ++j) {
+    const TopologyWheelset& wheelset = topology.wheelsets[j];
+    if (wheelset.z_index < 0) continue;
+    rest.contact_stiffness[j] =
+        wheelset.contact_stiffness
+            ? *wheelset.contact_stiffness
+            : 1.5 * std::cbrt(std::pow(wheelset.hertz_constant.value_or(0.0), 2.0) * rest.wheel_load[j]);
+  }
+  return rest;
+}
+
+}  // namespace vehicle

@@ -1,0 +1,314 @@
+#include "libvehicle/flat/flat_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "libvehicle/statics/rest.h"
+
+namespace vehicle {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Names in quotes, comma between.
+template <class Part>
+std::string namesOf(const std::vector<Part>& parts, const std::vector<int>& indices) {
+  std::string text;
+  for (const int index : indices) text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", parts[at(index)].name);
+  return text;
+}
+
+/// The part by name, also where the file's line is known: the message then reads as a sentence about it.
+std::string pathOfPart(const char* kind, const std::string& name) {
+  return fmt::format("<vehicle><{} name=\"{}\">", kind, name);
+}
+
+const std::string kOtherForm = "use the form matrix";
+
+/// Reads a layout part by part and notes what does not fit.
+class Reader {
+ public:
+  Reader(const Vehicle& vehicle, const Topology& topology) : vehicle_(vehicle), topology_(topology) {}
+
+  FlatReading read() {
+    sortSuspensions();
+    if (!findCarbody()) return std::move(reading_);
+    std::vector<int> bogies = findBogies();
+    std::stable_sort(bogies.begin(), bogies.end(),
+                     [&](int a, int b) { return topology_.bodies[at(a)].x > topology_.bodies[at(b)].x; });
+    for (std::size_t i = 0; i < bogies.size(); ++i) readBogie(bogies[i], i);
+    readWheelsets();
+    reading_.problems.sortByPlace();
+    return std::move(reading_);
+  }
+
+ private:
+  void misfit(const Place& place, const char* element, const std::string& name, const std::string& message,
+              const std::string& remedy = kOtherForm) {
+    reading_.problems.add({place, pathOfPart(element, name), message, remedy});
+  }
+  void misfitBody(int body, const std::string& message, const std::string& remedy = kOtherForm) {
+    misfit(vehicle_.bodies[at(body)].origin, "body", topology_.bodies[at(body)].name, message, remedy);
+  }
+  void misfitSuspension(int suspension, const std::string& message) {
+    misfit(vehicle_.suspensions[at(suspension)].origin, "suspension", topology_.suspensions[at(suspension)].name,
+           message);
+  }
+
+  void sortSuspensions() {
+    under_.resize(topology_.bodies.size());
+    over_.resize(topology_.bodies.size());
+    on_wheels_.resize(topology_.bodies.size());
+    for (std::size_t s = 0; s < topology_.suspensions.size(); ++s) {
+      const TopologySuspension& suspension = topology_.suspensions[s];
+      if (suspension.lower_body >= 0) {
+        under_[at(suspension.upper)].push_back(static_cast<int>(s));
+        over_[at(suspension.lower_body)].push_back(static_cast<int>(s));
+      } else {
+        on_wheels_[at(suspension.upper)].push_back(static_cast<int>(s));
+      }
+    }
+  }
+
+  bool findCarbody() {
+    for (std::size_t b = 0; b < topology_.bodies.size(); ++b) {
+      if (under_[b].empty() || !over_[b].empty()) continue;
+      if (reading_.layout.carbody < 0) {
+        reading_.layout.carbody = static_cast<int>(b);
+      } else {
+        misfitBody(static_cast<int>(b), fmt::format("is a carbody beside \"{}\"; the flat form has one carbody",
+                                                    topology_.bodies[at(reading_.layout.carbody)].name));
+      }
+    }
+    if (reading_.layout.carbody < 0) {
+      reading_.problems.add({vehicle_.origin, fmt::format("<vehicle name=\"{}\">", vehicle_.name),
+                             "has no body that stands on other bodies; the flat form is a carbody on two bogies",
+                             kOtherForm});
+      return false;
+    }
+    const TopologyBody& carbody = topology_.bodies[at(reading_.layout.carbody)];
+    if (carbody.z_index < 0 || carbody.pitch_index < 0) {
+      misfitBody(reading_.layout.carbody,
+                 fmt::format("moves in {} only; the flat form's carbody moves in z and pitch",
+                             carbody.z_index < 0 ? "pitch" : "z"),
+                 "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix");
+    }
+    for (const int s : on_wheels_[at(reading_.layout.carbody)]) {
+      misfitSuspension(s, fmt::format("joins the carbody \"{}\" to a wheelset; the flat form's carbody stands on bogies",
+                                      carbody.name));
+    }
+    return true;
+  }
+
+  std::vector<int> findBogies() {
+    std::vector<int> bogies;
+    for (std::size_t b = 0; b < topology_.bodies.size(); ++b) {
+      const bool carried = std::any_of(over_[b].begin(), over_[b].end(), [&](int s) {
+        return topology_.suspensions[at(s)].upper == reading_.layout.carbody;
+      });
+      if (carried) {
+        bogies.push_back(static_cast<int>(b));
+      } else if (static_cast<int>(b) != reading_.layout.carbody && (under_[b].empty() || !over_[b].empty())) {
+        misfitBody(static_cast<int>(b), "is neither the carbody nor a bogie under it; the flat form has no other body");
+      }
+    }
+    if (bogies.size() != 2) {
+      misfitBody(reading_.layout.carbody,
+                 fmt::format("stands on {} {} ({}); the flat form has two", bogies.size(),
+                             bogies.size() == 1 ? "bogie" : "bogies", namesOf(topology_.bodies, bogies)));
+    }
+    return bogies;
+  }
+
+  void readBogie(int index, std::size_t place) {
+    const TopologyBody& bogie = topology_.bodies[at(index)];
+    if (bogie.pitch_index >= 0) {
+      misfitBody(index, "pitches; the flat form's bogies move in z only",
+                 "write motion=\"z\", or use the form matrix");
+    } else if (bogie.z_index < 0) {
+      misfitBody(index, "does not move in z; the flat form's bogies do");
+    }
+    const std::vector<int>& secondaries = over_[at(index)];
+    if (secondaries.size() != 1) {
+      misfitBody(index, fmt::format("carries by {} suspensions ({}); the flat form has one secondary a bogie",
+                                    secondaries.size(), namesOf(topology_.suspensions, secondaries)));
+    }
+    for (const int s : under_[at(index)]) {
+      misfitSuspension(s, fmt::format("joins the bogie \"{}\" to another body; the flat form's bogies stand on wheelsets",
+                                      bogie.name));
+    }
+    std::vector<int> primaries = on_wheels_[at(index)];
+    const auto wheel = [&](int s) { return topology_.suspensions[at(s)].lower_wheelset; };
+    if (primaries.size() != 2) {
+      misfitBody(index, fmt::format("stands on wheelsets by {} suspension{} ({}); the flat form has two axles a bogie",
+                                    primaries.size(), primaries.size() == 1 ? "" : "s",
+                                    namesOf(topology_.suspensions, primaries)));
+      return;
+    }
+    if (wheel(primaries[0]) == wheel(primaries[1])) {
+      misfitBody(index, fmt::format("stands twice on the wheelset \"{}\"; the flat form has two axles a bogie",
+                                    topology_.wheelsets[at(wheel(primaries[0]))].name));
+      return;
+    }
+    if (place >= 2) return;
+    std::stable_sort(primaries.begin(), primaries.end(), [&](int a, int b) {
+      return topology_.wheelsets[at(wheel(a))].x > topology_.wheelsets[at(wheel(b))].x;
+    });
+    FlatLayout& layout = reading_.layout;
+    layout.bogie[place] = index;
+    layout.secondary[place] = secondaries[0];
+    for (std::size_t axle = 0; axle < 2; ++axle) {
+      layout.primary[2 * place + axle] = primaries[axle];
+      layout.wheelset[2 * place + axle] = wheel(primaries[axle]);
+    }
+  }
+
+  void readWheelsets() {
+    for (std::size_t j = 0; j < topology_.wheelsets.size(); ++j) {
+      const TopologyWheelset& wheelset = topology_.wheelsets[j];
+      const Place& place = vehicle_.wheelsets[j].origin;
+      if (wheelset.z_index >= 0) {
+        misfit(place, "wheelset", wheelset.name,
+               "has a motion of its own on its contact; the flat form's wheelsets follow the rail",
+               "leave out the contact, or use the form matrix");
+      }
+      std::vector<int> carried;
+      for (const TopologySuspension& suspension : topology_.suspensions) {
+        if (suspension.lower_wheelset == static_cast<int>(j) &&
+            std::find(carried.begin(), carried.end(), suspension.upper) == carried.end()) {
+          carried.push_back(suspension.upper);
+        }
+      }
+      if (carried.size() != 1) {
+        misfit(place, "wheelset", wheelset.name,
+               carried.empty() ? std::string("carries nothing; the flat form's wheelsets carry one bogie each")
+                               : fmt::format("carries {} bodies ({}); the flat form's wheelsets carry one bogie each",
+                                             carried.size(), namesOf(topology_.bodies, carried)));
+      }
+    }
+  }
+
+  const Vehicle& vehicle_;
+  const Topology& topology_;
+  FlatReading reading_;
+  std::vector<std::vector<int>> under_;      // (bodies) suspensions from this body down to bodies
+  std::vector<std::vector<int>> over_;       // (bodies) suspensions from bodies above down to this one
+  std::vector<std::vector<int>> on_wheels_;  // (bodies) suspensions from this body to wheelsets
+};
+
+}  // namespace
+
+FlatReading readLayout(const Vehicle& vehicle, const Topology& topology) { return Reader(vehicle, topology).read(); }
+
+ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const FlatLayout& layout) {
+  // Places are sums and differences of the file's numbers: arms that are equal on paper may differ by roundings.
+  constexpr double kEqual = 1e-9;
+  const std::string remedy = "give both the same, or use the form flat";
+  ProblemList problems;
+  const auto compare = [&](const Place& place, const char* element, const std::string& name, const char* what,
+                           double value, const std::string& model_name, double model, const char* unit) {
+    if (std::abs(value - model) <= kEqual * std::max(std::abs(value), std::abs(model))) return;
+    problems.add({place, pathOfPart(element, name),
+                  fmt::format("has {} {:g} {}, \"{}\" has {:g} {}; the printed equations know one value", what, value,
+                              unit, model_name, model, unit),
+                  remedy});
+  };
+  const auto compareSuspension = [&](int index, int model_index) {
+    const TopologySuspension& one = topology.suspensions[at(index)];
+    const TopologySuspension& model = topology.suspensions[at(model_index)];
+    const Place& place = vehicle.suspensions[at(index)].origin;
+    compare(place, "suspension", one.name, "stiffness", one.stiffness, model.name, model.stiffness, "N/m");
+    compare(place, "suspension", one.name, "damping", one.damping, model.name, model.damping, "N*s/m");
+  };
+  const TopologyBody& front = topology.bodies[at(layout.bogie[0])];
+  const TopologyBody& rear = topology.bodies[at(layout.bogie[1])];
+  compare(vehicle.bodies[at(layout.bogie[1])].origin, "body", rear.name, "mass", rear.mass, front.name, front.mass, "kg");
+  compareSuspension(layout.secondary[1], layout.secondary[0]);
+  const TopologySuspension& ahead = topology.suspensions[at(layout.secondary[0])];
+  const TopologySuspension& behind = topology.suspensions[at(layout.secondary[1])];
+  const double lf = ahead.arm_upper;
+  const double lr = -behind.arm_upper;
+  if (std::abs(lf - lr) > kEqual * std::max(std::abs(lf), std::abs(lr))) {
+    problems.add({vehicle.suspensions[at(layout.secondary[1])].origin, pathOfPart("suspension", behind.name),
+                  fmt::format("stands {:g} m behind the carbody's centre of gravity, \"{}\" {:g} m ahead; the printed "
+                              "equations know one lever arm",
+                              lr, ahead.name, lf),
+                  remedy});
+  }
+  for (std::size_t wheel = 1; wheel < 4; ++wheel) compareSuspension(layout.primary[wheel], layout.primary[0]);
+  for (const int secondary : layout.secondary) {
+    const TopologySuspension& suspension = topology.suspensions[at(secondary)];
+    if (suspension.height_upper == 0.0) continue;
+    problems.add({vehicle.suspensions[at(secondary)].origin, pathOfPart("suspension", suspension.name),
+                  fmt::format("ends {:g} m {} the carbody's centre of gravity; the printed equations carry no "
+                              "static loads at heights",
+                              std::abs(suspension.height_upper),
+                              suspension.height_upper < 0.0 ? "below" : "above"),
+                  "leave out the heights, or use the form flat"});
+  }
+  problems.sortByPlace();
+  return problems;
+}
+
+FlatLoads flatLoads(const Topology& topology, const FlatLayout& layout, double gravity) {
+  const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
+  const auto& suspensions = topology.suspensions;
+  const double lf = suspensions[at(layout.secondary[0])].arm_upper;
+  const double lr = -suspensions[at(layout.secondary[1])].arm_upper;
+  bool lever_rule = lf > 0.0 && lr > 0.0;  // the carbody's centre of gravity lies between the pivots
+  for (const TopologySuspension& suspension : suspensions) {
+    lever_rule = lever_rule && suspension.stiffness > 0.0 && !suspension.preload;
+  }
+  FlatLoads loads;
+  if (lever_rule) {
+    const double weight = carbody.mass * gravity;
+    loads.secondary = {weight * lr / (lf + lr), weight * lf / (lf + lr)};
+    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+      const std::size_t bogie = wheel / 2;
+      const double c = suspensions[at(layout.primary[wheel])].stiffness;
+      const double c_both = suspensions[at(layout.primary[2 * bogie])].stiffness +
+                            suspensions[at(layout.primary[2 * bogie + 1])].stiffness;
+      const TopologyWheelset& wheelset = topology.wheelsets[at(layout.wheelset[wheel])];
+      loads.primary[wheel] =
+          (topology.bodies[at(layout.bogie[bogie])].mass * gravity + loads.secondary[bogie]) * c / c_both;
+      loads.wheel[wheel] = wheelset.load.value_or(wheelset.mass * gravity + loads.primary[wheel]);
+    }
+    return loads;
+  }
+  const Rest rest = restOf(topology, gravity);
+  for (std::size_t i = 0; i < 2; ++i) loads.secondary[i] = rest.suspension_load[at(layout.secondary[i])];
+  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+    loads.primary[wheel] = rest.suspension_load[at(layout.primary[wheel])];
+    loads.wheel[wheel] = rest.wheel_load[at(layout.wheelset[wheel])];
+  }
+  return loads;
+}
+
+FlatParameters flatParameters(const Topology& topology, const FlatLayout& layout, const FlatLoads& loads) {
+  const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
+  const TopologySuspension& front = topology.suspensions[at(layout.secondary[0])];
+  const TopologySuspension& rear = topology.suspensions[at(layout.secondary[1])];
+  FlatParameters v;
+  v.mk = carbody.mass;
+  v.Jk = carbody.pitch_inertia;
+  v.m1 = topology.bodies[at(layout.bogie[0])].mass;
+  v.m2 = topology.bodies[at(layout.bogie[1])].mass;
+  v.lf = front.arm_upper;
+  v.lr = -rear.arm_upper;
+  v.cs1 = front.stiffness;
+  v.bs1 = front.damping;
+  v.cs2 = rear.stiffness;
+  v.bs2 = rear.damping;
+  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+    v.cp[wheel] = topology.suspensions[at(layout.primary[wheel])].stiffness;
+    v.bp[wheel] = topology.suspensions[at(layout.primary[wheel])].damping;
+  }
+  v.k_g = loads.secondary[0] * front.height_upper + loads.secondary[1] * rear.height_upper;
+  return v;
+}
+
+}  // namespace vehicle

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "libvehicle/definition/topology.h"
+#include "libvehicle/flat/flat_form.h"
+#include "libvehicle/flat/flat_model.h"
+
+namespace vehicle {
+
+/// Which part of a vehicle plays which part in the equations: indices into the topology. Front and wheel 1 are
+/// those of larger x; at equal x the file's order decides.
+struct FlatLayout {
+  int carbody = -1;
+  std::array<int, 2> bogie{-1, -1};            // front, rear
+  std::array<int, 2> secondary{-1, -1};        // suspensions: carbody on front, on rear bogie
+  std::array<int, 4> primary{-1, -1, -1, -1};  // suspensions: bogies on wheels 1 to 4
+  std::array<int, 4> wheelset{-1, -1, -1, -1};
+};
+
+/// The layout, or the problems that prevent it; whole only if `problems` is empty.
+struct FlatReading {
+  FlatLayout layout;
+  ProblemList problems;
+};
+
+/// @param topology  topologyOf(vehicle); the vehicle tells where each part was written
+[[nodiscard]] FlatReading readLayout(const Vehicle& vehicle, const Topology& topology);
+
+/// What hinders the printed variants of a vehicle that fits the consistent one: they know one bogie, one primary,
+/// one secondary, one lever arm, and no static loads at heights.
+[[nodiscard]] ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const FlatLayout& layout);
+
+/// Static loads of the layout, compression-positive, by the lever rule.
+struct FlatLoads {
+  std::array<double, 2> secondary{};  // [N]
+  std::array<double, 4> primary{};    // [N]
+  std::array<double, 4> wheel{};      // [N] wheel-rail force Q0, own weight included; `load` where given
+};
+
+/// The carbody's weight goes to the pivots by the lever rule, a bogie's to its axles in proportion to their
+/// stiffness, because a bogie that does not pitch presses both equally deep. Where a preload is given, or the lever
+/// rule has no answer, this is restOf().
+/// @throws InvalidInput if the springs cannot carry the weight, as restOf() says
+[[nodiscard]] FlatLoads flatLoads(const Topology& topology, const FlatLayout& layout, double gravity);
+
+[[nodiscard]] FlatParameters flatParameters(const Topology& topology, const FlatLayout& layout, const FlatLoads& loads);
+
+}  // namespace vehicle

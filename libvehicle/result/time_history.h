@@ -14,16 +14,20 @@ class TimeHistory {
  public:
   TimeHistory() = default;
   /// @param channels  the columns after "time", in order
+  /// @throws std::invalid_argument if two columns would have the same name
   explicit TimeHistory(const std::vector<Channel>& channels);
 
   void reserve(std::size_t samples) { values_.reserve(samples * columns_.size()); }
-  /// Appends one sample and returns its row to be filled, shape (columns), row[0] = time.
+  /// Appends one sample, all other columns 0, and returns its row to be filled, shape (columns), row[0] = time.
   /// The span is valid until the next append.
+  /// @throws std::invalid_argument on a history without columns
   std::span<double> append(double time);
 
   [[nodiscard]] const std::vector<Channel>& columns() const { return columns_; }
   [[nodiscard]] std::size_t samples() const { return columns_.empty() ? 0 : values_.size() / columns_.size(); }
-  [[nodiscard]] double at(std::size_t sample, std::size_t column) const { return values_[sample * columns_.size() + column]; }
+  [[nodiscard]] double at(std::size_t sample, std::size_t column) const {
+    return values_[sample * columns_.size() + column];
+  }
   [[nodiscard]] std::span<const double> row(std::size_t sample) const;
   /// A copy of one column, shape (samples).
   [[nodiscard]] std::vector<double> column(std::size_t index) const;

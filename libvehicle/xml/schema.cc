@@ -1,0 +1,76 @@
+#include "libvehicle/xml/schema.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "libvehicle/xml/schema_files.h"
+
+namespace vehicle {
+
+AttributeRow AttributeRow::asRequired() const {
+  AttributeRow row = *this;
+  row.required = true;
+  return row;
+}
+
+AttributeRow AttributeRow::orElse(std::string text) const {
+  AttributeRow row = *this;
+  row.fallback = std::move(text);
+  return row;
+}
+
+AttributeRow AttributeRow::standingFor(std::vector<std::string> names) const {
+  AttributeRow row = *this;
+  row.sets = std::move(names);
+  return row;
+}
+
+const AttributeRow* ElementRow::attribute(std::string_view attribute_name) const {
+  for (const AttributeRow& row : attributes) {
+    if (row.name == attribute_name) return &row;
+  }
+  return nullptr;
+}
+
+const ElementRow* ElementRow::child(std::string_view element_name) const {
+  for (const ElementRow& row : children) {
+    if (row.name == element_name) return &row;
+  }
+  return nullptr;
+}
+
+const ElementRow& schemaOf(FileKind kind) {
+  static const ElementRow kVehicle = schema::vehicleRow();
+  static const ElementRow kScenario = schema::scenarioRow();
+  static const ElementRow kSuite = schema::suiteRow();
+  return kind == FileKind::kVehicle ? kVehicle : kind == FileKind::kScenario ? kScenario : kSuite;
+}
+
+const std::vector<FileKind>& allFileKinds() {
+  static const std::vector<FileKind> kKinds = {FileKind::kVehicle, FileKind::kScenario, FileKind::kSuite};
+  return kKinds;
+}
+
+std::string rangeOf(const AttributeRow& row) {
+  if (row.kind == ValueKind::kInteger) return fmt::format("{} to {}", row.least, row.most);
+  if (row.kind != ValueKind::kQuantity || row.sign == Sign::kAny) return "";
+  return row.sign == Sign::kPositive ? "> 0" : ">= 0";
+}
+
+std::string exampleOf(const AttributeRow& row) {
+  std::string value;
+  switch (row.kind) {
+    case ValueKind::kFormat: value = kFileFormat; break;
+    case ValueKind::kName: value = "front_bogie"; break;
+    case ValueKind::kReference: value = row.name == "element" ? "primary" : row.name == "wheelset" ? "wheelset_1" : "carbody"; break;
+    case ValueKind::kFile: value = "../vehicles/coach.xml"; break;
+    case ValueKind::kQuantity: value = describe(row.dimension).example; break;
+    case ValueKind::kInteger: value = std::to_string(row.least); break;
+    case ValueKind::kChoice: value = row.choices.front(); break;
+    case ValueKind::kChoiceList: value = "z pitch"; break;
+  }
+  return fmt::format("{}=\"{}\"", row.name, value);
+}
+
+}  // namespace vehicle

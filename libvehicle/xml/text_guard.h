@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "libvehicle/diagnostics/problem.h"
+
+namespace vehicle {
+
+/// The most bytes that a file may have: hundreds of times the largest vehicle, and read in a moment.
+inline constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+
+/// The most problems that are told of one file; one more line says that there are others.
+inline constexpr std::size_t kMostProblems = 200;
+
+/// Judges the text before any XML library sees it: size, UTF-8, no control characters, no doctype, no
+/// entities but the five of XML, no processing instructions, comments and CDATA closed.
+///
+/// An XML library would expand, skip or repair these without a word, and differently from the next library.
+[[nodiscard]] ProblemList guardText(std::string_view text, const std::string& file_name);
+
+}  // namespace vehicle

@@ -1,0 +1,175 @@
+#include "libvehicle/xml/writer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "libvehicle/xml/attribute_value.h"
+#include "libvehicle/xml/part_order.h"
+#include "libvehicle/xml/schema.h"
+
+namespace vehicle {
+
+namespace {
+
+using Written = std::vector<std::pair<std::string, std::string>>;  // attribute, text
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      // As themselves these would come back as spaces.
+      case '\t':
+      case '\n':
+      case '\r': out += fmt::format("&#{};", static_cast<int>(c)); break;
+      default: out += c;
+    }
+  }
+  return out;
+}
+
+/// Equal to the last bit: -0.0 is not 0.0.
+bool isSame(const Value& a, const Value& b) {
+  if (std::holds_alternative<double>(a) && std::holds_alternative<double>(b)) {
+    return std::bit_cast<std::uint64_t>(std::get<double>(a)) == std::bit_cast<std::uint64_t>(std::get<double>(b));
+  }
+  return a == b;
+}
+
+Written attributesOf(const ElementRow& row, const void* object) {
+  std::vector<std::string> covered;
+  for (const AttributeRow& attribute : row.attributes) {
+    const bool stands = !attribute.sets.empty() && !std::holds_alternative<std::monostate>(attribute.get(object));
+    if (stands) covered.insert(covered.end(), attribute.sets.begin(), attribute.sets.end());
+  }
+  Written written;
+  for (const AttributeRow& attribute : row.attributes) {
+    if (attribute.reserved || std::find(covered.begin(), covered.end(), attribute.name) != covered.end()) continue;
+    if (attribute.kind == ValueKind::kFormat) {
+      written.emplace_back(attribute.name, kFileFormat);
+      continue;
+    }
+    const Value value = attribute.get(object);
+    const bool given = !std::holds_alternative<std::monostate>(value);
+    const bool told = attribute.required || !attribute.sets.empty() || !isSame(value, attribute.get(row.fresh()));
+    if (given && told) written.emplace_back(attribute.name, escaped(attributeText(attribute, value)));
+  }
+  if (row.reserved != nullptr) {
+    // Accessors take a mutable struct; nothing is changed through it here.
+    for (const ReservedQuantity& each : *row.reserved(const_cast<void*>(object))) {
+      written.emplace_back(each.attribute, escaped(each.text));
+    }
+  }
+  return written;
+}
+
+/// Writes elements line by line.
+class Writer {
+ public:
+  std::string writeRoot(const ElementRow& row, const void* object) {
+    text_ += fmt::format("<{}{}>\n", row.name, inLine(attributesOf(row, object)));
+    bool titled = false;
+    for (const ElementRow& child : row.children) {
+      if (child.text == nullptr) continue;
+      const std::string& text = *child.text(const_cast<void*>(object));
+      if (text.empty()) continue;
+      text_ += fmt::format("  <{0}>{1}</{0}>\n", child.name, escaped(text));
+      titled = true;
+    }
+    writeParts(orderOfWriting(row, object), 1, titled ? Gap::kBefore : Gap::kNone);
+    text_ += fmt::format("</{}>\n", row.name);
+    return std::move(text_);
+  }
+
+ private:
+  enum class Gap { kNone, kBefore };  // an empty line between a long run of parts and what stands before it
+
+  static std::string inLine(const Written& written) {
+    std::string line;
+    for (const auto& [name, text] : written) line += fmt::format(" {}=\"{}\"", name, text);
+    return line;
+  }
+
+  static bool isLeaf(const PartToWrite& part) { return part.row->children.empty() && !part.row->is_group; }
+
+  void writeParts(const std::vector<PartToWrite>& parts, int depth, Gap gap) {
+    for (std::size_t begin = 0; begin < parts.size();) {
+      std::size_t end = begin + 1;
+      while (isLeaf(parts[begin]) && end < parts.size() && parts[end].row == parts[begin].row) ++end;
+      if (depth == 1 && gap == Gap::kBefore && (end > begin + 1 || parts[begin].row->many)) text_ += '\n';
+      gap = Gap::kBefore;
+      if (isLeaf(parts[begin])) {
+        writeAligned({parts.begin() + static_cast<std::ptrdiff_t>(begin), parts.begin() + static_cast<std::ptrdiff_t>(end)},
+                     depth);
+      } else {
+        writeParent(parts[begin], depth);
+      }
+      begin = end;
+    }
+  }
+
+  void writeParent(const PartToWrite& part, int depth) {
+    const std::vector<PartToWrite> children =
+        part.row->is_group ? part.members : orderOfWriting(*part.row, part.object);
+    const std::string indent(2 * static_cast<std::size_t>(depth), ' ');
+    const std::string opening = indent + "<" + part.row->name + inLine(attributesOf(*part.row, part.object));
+    if (children.empty()) {
+      text_ += opening + "/>\n";
+      return;
+    }
+    text_ += opening + ">\n";
+    writeParts(children, depth + 1, Gap::kNone);
+    text_ += fmt::format("{}</{}>\n", indent, part.row->name);
+  }
+
+  /// Equal elements, their attributes in columns.
+  void writeAligned(const std::vector<PartToWrite>& parts, int depth) {
+    std::vector<Written> lines;
+    std::map<std::string, std::size_t> widths;
+    std::vector<std::string> columns;  // in the order of the table, reserved ones as they come
+    for (const AttributeRow& attribute : parts.front().row->attributes) columns.push_back(attribute.name);
+    for (const PartToWrite& part : parts) {
+      lines.push_back(attributesOf(*part.row, part.object));
+      for (const auto& [name, text] : lines.back()) widths[name] = std::max(widths[name], text.size());
+    }
+    for (const Written& line : lines) {
+      std::string out = std::string(2 * static_cast<std::size_t>(depth), ' ') + "<" + parts.front().row->name;
+      // Reserved attributes keep their order among each other, which need not be the table's: they get no columns.
+      std::size_t next = 0;
+      for (const std::string& column : columns) {
+        if (widths.count(column) == 0 || isReserved(*parts.front().row, column)) continue;
+        const bool given = next < line.size() && line[next].first == column;
+        std::string cell = given ? fmt::format(" {}=\"{}\"", column, line[next].second) : "";
+        cell.resize(widths[column] + column.size() + 4, ' ');
+        out += cell;
+        if (given) ++next;
+      }
+      if (next < line.size()) {
+        out += inLine({line.begin() + static_cast<std::ptrdiff_t>(next), line.end()});
+      }
+      out.erase(out.find_last_not_of(' ') + 1);
+      text_ += out + "/>\n";
+    }
+  }
+
+  static bool isReserved(const ElementRow& row, const std::string& name) { return row.attribute(name)->reserved; }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string write(const Vehicle& vehicle) { return Writer().writeRoot(schemaOf(FileKind::kVehicle), &vehicle); }
+std::string write(const Scenario& scenario) { return Writer().writeRoot(schemaOf(FileKind::kScenario), &scenario); }
+std::string write(const Suite& suite) { return Writer().writeRoot(schemaOf(FileKind::kSuite), &suite); }
+
+}  // namespace vehicle

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "libvehicle/integrate/failure.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
 
@@ -38,6 +39,7 @@ Input reordered(const Input& input, const std::array<int, 4>& order) {
 Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
                       std::span<const double> x0, const Observer& observe) {
   if (form.rhs() == nullptr) return runRk4(form, input, schedule, step, x0, observe);
+  checkStart("rk4", x0, form.size());
 
   const std::array<int, 8>& order = form.stateOrder();
   std::array<double, 8> inner{};

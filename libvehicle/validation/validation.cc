@@ -1,1 +1,286 @@
-// to be written
+#include "libvehicle/validation/validation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "libvehicle/excitation/excitation.h"
+
+namespace vehicle {
+namespace {
+
+// Largest memory that the histories of one case may take together.
+constexpr double kMostBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
+
+/// Forms that solve the same equations share the ledger's sizes: all consistent ones, and each printed variant.
+std::string equationsOf(const std::string& form) { return isPrintedVariant(form) ? form : "matrix"; }
+
+class Case {
+ public:
+  Case(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice,
+       const ValidationProgress& progress)
+      : vehicle_(vehicle), scenario_(scenario), choice_(choice), progress_(progress) {
+    report_.vehicle = vehicle.name;
+    report_.scenario = scenario.name;
+    report_.speed = choice.run.speed.value_or(scenario.run.speed);
+  }
+
+  ValidationReport validate() {
+    plan();
+    for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped; ++i) run(i);
+    if (!report_.stopped) judge();
+    return std::move(report_);
+  }
+
+ private:
+  struct Equations {
+    std::string name;
+    std::unique_ptr<System> system;
+    std::optional<CaseSize> size;
+  };
+
+  void plan() {
+    add("matrix", "exact", 1);
+    std::vector<std::string> forms = choice_.forms;
+    if (forms.empty()) {
+      for (const std::string& form : formNames()) {
+        if (!isPrintedVariant(form)) forms.push_back(form);
+      }
+    }
+    const std::vector<std::string>& methods = choice_.methods.empty() ? methodNames() : choice_.methods;
+    for (const std::string& form : forms) {
+      if (const ProblemList misfits = formMisfits(form, vehicle_); !misfits.empty()) {
+        report_.misfits.push_back({form, "", misfits[0].message});
+        continue;
+      }
+      bool runs = false;
+      for (const std::string& method : methods) {
+        if (const std::string misfit = methodMisfit(method, form); !misfit.empty()) {
+          report_.misfits.push_back({form, method, misfit});
+        } else {
+          runs = planMethod(form, method) || runs;
+        }
+      }
+      if (!runs) {
+        const std::string method = defaultMethod(form);
+        report_.notes.push_back(fmt::format("{}: none of the methods asked for can run it; it runs by {}", form, method));
+        planMethod(form, method);
+      }
+    }
+  }
+
+  bool planMethod(const std::string& form, const std::string& method) {
+    if (method == "rk4") {
+      const double stable = largestStableRk4Step(equations(form).system->linear()->A);
+      if (choice_.run.step > stable) {
+        report_.misfits.push_back({form, method,
+                                   fmt::format("rk4 is unstable at {:.4g} ms: this vehicle needs a step below {:.4g} ms",
+                                               1e3 * choice_.run.step, 1e3 * stable)});
+        return false;
+      }
+    }
+    add(form, method, 1);
+    if (method == "rk4") add(form, method, 2);
+    return true;
+  }
+
+  void add(const std::string& form, const std::string& method, int refine) {
+    for (const ValidationRun& run : report_.runs) {
+      if (run.key.form == form && run.key.method == method && run.key.refine == refine) return;
+    }
+    ValidationRun run;
+    run.key = {form, method, refine, choice_.run.step, choice_.run.relative, choice_.run.absolute,
+               choice_.run.accuracy, 0};
+    report_.runs.push_back(std::move(run));
+  }
+
+  Equations& equations(const std::string& form) {
+    const std::string name = equationsOf(form);
+    for (Equations& known : equations_) {
+      if (known.name == name) return known;
+    }
+    equations_.push_back({name, buildForm(name, vehicle_, scenario_.gravity), std::nullopt});
+    return equations_.back();
+  }
+
+  void run(std::size_t index) {
+    ValidationRun& run = report_.runs[index];
+    RunChoice choice = choice_.run;
+    choice.form = run.key.form;
+    choice.method = run.key.method;
+    choice.refine = run.key.refine;
+    histories_.emplace_back();
+    const double runs = static_cast<double>(report_.runs.size());
+    const auto report_progress = [&](double share) {
+      return !progress_ || progress_((static_cast<double>(index) + share) / runs, run.key.text());
+    };
+    if (!report_progress(0.0)) {
+      report_.stopped = true;
+      return;
+    }
+    try {
+      RunResult result = simulate(vehicle_, scenario_, choice, report_progress);
+      run.statistics = result.statistics;
+      run.key.steps = result.statistics.steps;
+      run.wall_seconds = result.wall_seconds;
+      report_.stopped = result.statistics.stopped;
+      if (index == 0) requireMemory(result.history);
+      histories_.back() = std::move(result.history);
+    } catch (const RunFailed& failure) {
+      run.failure = failure.what();
+    }
+  }
+
+  void requireMemory(const TimeHistory& history) const {
+    const double each = 8.0 * static_cast<double>(history.samples()) * static_cast<double>(history.columns().size());
+    const double all = each * static_cast<double>(report_.runs.size());
+    if (all > kMostBytes) {
+      throw std::invalid_argument(
+          fmt::format("{} runs of {} samples need {:.1f} GiB, allowed are {:.0f}; take a longer output_step, a shorter "
+                      "duration or fewer forms and methods",
+                      report_.runs.size(), history.samples(), all / 1073741824.0, kMostBytes / 1073741824.0));
+    }
+  }
+
+  [[nodiscard]] bool finished(std::size_t i) const { return report_.runs[i].failure.empty(); }
+
+  [[nodiscard]] std::optional<std::size_t> find(const std::string& form, const std::string& method, int refine) const {
+    for (std::size_t i = 0; i < report_.runs.size(); ++i) {
+      const RunKey& key = report_.runs[i].key;
+      if (key.form == form && key.method == method && key.refine == refine && finished(i)) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// The sizes of a run's equations, read from the exact solution where there is one.
+  const CaseSize& sizeFor(std::size_t run) {
+    const std::string& form = report_.runs[run].key.form;
+    Equations& own = equations(form);
+    if (!own.size) {
+      const Topology topology = topologyOf(vehicle_);
+      const Input input = inputOf(scenario_, topology, report_.speed);
+      own.size = sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input,
+                            histories_[find(own.name, "exact", 1).value_or(run)]);
+    }
+    return *own.size;
+  }
+
+  void judge() {
+    std::vector<RunSize> sizes(report_.runs.size());
+    for (std::size_t i = 0; i < report_.runs.size(); ++i) {
+      if (!finished(i)) continue;
+      const RunKey& key = report_.runs[i].key;
+      Eigen::VectorXd step_difference;
+      if (key.method == "rk4") {
+        const auto other = find(key.form, key.method, 3 - key.refine);
+        step_difference = largestDifference(histories_[i], histories_[other.value_or(i)]);
+      }
+      sizes[i] = sizeOfRun(sizeFor(i), key, step_difference);
+    }
+    for (std::size_t i = 0; i < report_.runs.size(); ++i) {
+      for (std::size_t j = i + 1; j < report_.runs.size(); ++j) {
+        if (finished(i) && finished(j) && comparable(i, j)) compare(i, j, sizes);
+      }
+    }
+  }
+
+  /// A run at half the step is there to show the order, which only the exact solution of its equations can.
+  [[nodiscard]] bool comparable(std::size_t i, std::size_t j) const {
+    const RunKey& a = report_.runs[i].key;
+    const RunKey& b = report_.runs[j].key;
+    if (a.refine != 1) return false;
+    if (b.refine == 1) return true;
+    return a.method == "exact" && isLinearForm(b.form) && equationsOf(a.form) == equationsOf(b.form) &&
+           (i == 0 || isPrintedVariant(a.form));
+  }
+
+  void compare(std::size_t i, std::size_t j, const std::vector<RunSize>& sizes) {
+    const RunKey& a = report_.runs[i].key;
+    const RunKey& b = report_.runs[j].key;
+    std::optional<Expectation> expectation;
+    if (equationsOf(a.form) == equationsOf(b.form)) expectation = expectationOf(sizeFor(i), a, sizes[i], b, sizes[j]);
+    PairAgreement pair = compareHistories(histories_[i], histories_[j], expectation);
+    pair.first = i;
+    pair.second = j;
+    if (b.refine == 2) report_.runs[j].order = orderOf(i, j, expectation->rounding);
+    report_.pairs.push_back(std::move(pair));
+  }
+
+  /// log2(err(h) / err(h/2)) with the error over all state columns relative to their peaks; nothing where
+  /// rounding hides it.
+  [[nodiscard]] std::optional<double> orderOf(std::size_t exact, std::size_t half, const Eigen::VectorXd& rounding) {
+    const RunKey& key = report_.runs[half].key;
+    const auto full = find(key.form, key.method, 1);
+    if (!full) return std::nullopt;
+    const CaseSize& size = sizeFor(exact);
+    const Eigen::VectorXd coarse = largestDifference(histories_[exact], histories_[*full]);
+    const Eigen::VectorXd fine = largestDifference(histories_[exact], histories_[half]);
+    double coarse_error = 0.0, fine_error = 0.0, noise = 0.0;
+    for (const Channel& state : equations(key.form).system->states()) {
+      const auto i = columnOf(size.columns, state.name);
+      if (!i || size.motion.output(*i) <= rounding(*i)) continue;
+      coarse_error = std::max(coarse_error, coarse(*i) / size.motion.output(*i));
+      fine_error = std::max(fine_error, fine(*i) / size.motion.output(*i));
+      noise = std::max(noise, rounding(*i) / size.motion.output(*i));
+    }
+    if (!(fine_error > 3.0 * noise)) return std::nullopt;
+    return std::log2(coarse_error / fine_error);
+  }
+
+  const Vehicle& vehicle_;
+  const Scenario& scenario_;
+  const ValidationChoice& choice_;
+  const ValidationProgress& progress_;
+  ValidationReport report_;
+  std::vector<TimeHistory> histories_;  // shape (runs)
+  std::vector<Equations> equations_;
+};
+
+}  // namespace
+
+bool ValidationReport::inside() const {
+  for (const ValidationRun& run : runs) {
+    if (!run.failure.empty()) return false;
+  }
+  return count(Verdict::kInside) > 0 && count(Verdict::kOutside) == 0;
+}
+
+std::size_t ValidationReport::count(Verdict verdict) const {
+  return static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [&](const PairAgreement& pair) { return pair.verdict == verdict; }));
+}
+
+ValidationReport validate(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice,
+                          const ValidationProgress& progress) {
+  return Case(vehicle, scenario, choice, progress).validate();
+}
+
+std::vector<ValidationCase> casesOf(const Suite& suite) {
+  std::vector<std::optional<double>> speeds;
+  for (const double speed : speedsOf(suite)) speeds.emplace_back(speed);
+  if (speeds.empty()) speeds.emplace_back();
+  std::vector<ValidationCase> cases;
+  for (std::size_t vehicle = 0; vehicle < suite.vehicles.size(); ++vehicle) {
+    for (std::size_t scenario = 0; scenario < suite.scenarios.size(); ++scenario) {
+      for (const std::optional<double>& speed : speeds) cases.push_back({vehicle, scenario, speed});
+    }
+  }
+  return cases;
+}
+
+ValidationChoice choiceOf(const Suite& suite, ValidationChoice choice) {
+  if (choice.forms.empty()) {
+    for (const NamedChoice& form : suite.forms) choice.forms.push_back(form.name);
+  }
+  if (choice.methods.empty()) {
+    for (const NamedChoice& method : suite.methods) choice.methods.push_back(method.name);
+  }
+  return choice;
+}
+
+}  // namespace vehicle

@@ -1,0 +1,267 @@
+#include "libvehicle/validation/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "libvehicle/simulate/forms.h"
+
+namespace vehicle {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kUlp = 0x1p-52;
+
+// dopri5 keeps the local error of each step within its tolerance; what has gathered after a run is this many of
+// them. Steps forget at the rate at which the vehicle does: see gatheredSteps().
+constexpr double kGathered = 0.5;
+// Simbody's accuracy is a weighted norm for states of unit scale, and is to be chosen 100 to 300 times tighter than
+// the relative error wanted.
+constexpr double kSimbodyRelative = 300.0;
+// Richardson's estimate is the leading term; twice it covers the following ones while h |lambda| < 1.
+constexpr double kRichardson = 2.0;
+// First-order perturbation, evaluated with the peaks of the linear run: half as much again for the next order.
+constexpr double kGeometry = 1.5;
+
+/// Largest effect of a disturbance of the state's rates on every column: L e, and directly where a column is an
+/// acceleration.
+VectorXd columnsOf(const CaseSize& the_case, const VectorXd& rate_disturbance) {
+  const Sensitivity& sensitivity = the_case.sensitivity;
+  VectorXd size = sensitivity.L * rate_disturbance;
+  for (Index i = 0; i < size.size(); ++i) {
+    const auto velocity = velocityOf(the_case.columns, the_case.columns[static_cast<std::size_t>(i)].name);
+    if (velocity) size(i) += sensitivity.C.row(*velocity).cwiseAbs().dot(rate_disturbance);
+  }
+  return size;
+}
+
+/// Static loads and heights that a Simbody form carries through its sums, and that cancel but for rounding.
+VectorXd staticTerms(const CaseSize& the_case) {
+  const Topology& topology = the_case.topology;
+  VectorXd rate = VectorXd::Zero(2 * topology.coordinates);
+  const auto add = [&](int body, double arm, double force) {
+    const TopologyBody& part = topology.bodies[static_cast<std::size_t>(body)];
+    if (part.z_index >= 0) rate(topology.coordinates + part.z_index) += force / part.mass;
+    if (part.pitch_index >= 0) rate(topology.coordinates + part.pitch_index) += std::abs(arm) * force / part.pitch_inertia;
+  };
+  for (std::size_t s = 0; s < topology.suspensions.size(); ++s) {
+    const TopologySuspension& suspension = topology.suspensions[s];
+    const TopologyBody& upper = topology.bodies[static_cast<std::size_t>(suspension.upper)];
+    const double force = std::abs(the_case.rest.suspension_load[s]) + suspension.stiffness * std::abs(upper.z);
+    add(suspension.upper, suspension.arm_upper, force);
+    if (suspension.lower_body >= 0) {
+      add(suspension.lower_body, suspension.arm_lower, force);
+    } else if (const TopologyWheelset& wheelset = topology.wheelsets[static_cast<std::size_t>(suspension.lower_wheelset)];
+               wheelset.z_index >= 0) {
+      rate(topology.coordinates + wheelset.z_index) += force / wheelset.mass;
+    }
+  }
+  return rate;
+}
+
+VectorXd roundingOf(const CaseSize& the_case, const RunKey& run) {
+  const Sensitivity& sensitivity = the_case.sensitivity;
+  const MotionSize& motion = the_case.motion;
+  const Index wheels2 = sensitivity.matrices.B.cols();
+  VectorXd rate(motion.state.size());
+  if (run.method == "exact") {
+    // A matrix exponential is good to some ulps of the whole state, not of each entry, and the same matrix acts
+    // at every sample: its error is systematic.
+    const Index half = motion.state.size() / 2;
+    const double h = the_case.output_step;
+    const double factor = kUlp * (8.0 + 4.0 * sensitivity.fastest * h) / h;
+    rate.head(half).setConstant(factor * motion.state.head(half).maxCoeff());
+    rate.tail(half).setConstant(factor * motion.state.tail(half).maxCoeff());
+  } else {
+    const double h = run.steps > 0 ? the_case.duration / static_cast<double>(run.steps) : run.step;
+    rate = 2.0 * kUlp / h * motion.state;
+  }
+  VectorXd terms = sensitivity.matrices.A.cwiseAbs() * motion.state +
+                   sensitivity.matrices.B.cwiseAbs() * motion.input.head(wheels2);
+  VectorXd sums = sensitivity.C.cwiseAbs() * motion.state + sensitivity.D.cwiseAbs() * motion.input +
+                  sensitivity.static_output.cwiseAbs();
+  if (isSimbodyForm(run.form)) {
+    const VectorXd carried = staticTerms(the_case);
+    terms += carried;
+    for (Index i = 0; i < sums.size(); ++i) {
+      const auto velocity = velocityOf(the_case.columns, the_case.columns[static_cast<std::size_t>(i)].name);
+      if (velocity) sums(i) += sensitivity.C.row(*velocity).cwiseAbs().dot(carried);
+    }
+    for (std::size_t s = 0; s < the_case.topology.suspensions.size(); ++s) {
+      const TopologySuspension& suspension = the_case.topology.suspensions[s];
+      const double height = std::abs(the_case.topology.bodies[static_cast<std::size_t>(suspension.upper)].z);
+      if (const auto i = columnOf(the_case.columns, suspension.name + ".deflection")) sums(*i) += height;
+      if (const auto i = columnOf(the_case.columns, suspension.name + ".force")) {
+        sums(*i) += std::abs(the_case.rest.suspension_load[s]) + suspension.stiffness * height;
+      }
+    }
+  }
+  rate += 4.0 * kUlp * terms;
+  return columnsOf(the_case, rate) + 4.0 * kUlp * sums;
+}
+
+/// How many of its last steps a run remembers: those within the memory of the slowest mode.
+double gatheredSteps(const CaseSize& the_case, const RunKey& run) {
+  const double decay = std::max(the_case.sensitivity.slowest_decay, 0.0);
+  const double memory = decay * the_case.duration > 1.0 ? 1.0 / decay : the_case.duration;
+  return std::max(1.0, static_cast<double>(run.steps) * memory / the_case.duration);
+}
+
+VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, const VectorXd& step_difference) {
+  const VectorXd& state = the_case.motion.state;
+  const Eigen::MatrixXd weight = the_case.sensitivity.C.cwiseAbs();
+  if (run.method == "rk4") {
+    // Order 4: err(h) = 16/15 |y(h) - y(h/2)|, err(h/2) = 1/15 of it. A method that has lost its order has a
+    // larger err(h/2) and falls outside there.
+    return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : 1.0 / 15.0) * step_difference;
+  }
+  if (run.method == "dopri5") {
+    const double gathered = 1.0 + kGathered * gatheredSteps(the_case, run);
+    return weight * (gathered * (run.relative * state.array() + run.absolute)).matrix();
+  }
+  if (run.method == "simbody_rkm") {
+    return weight * (run.accuracy * (kSimbodyRelative * state.array() + 1.0)).matrix();
+  }
+  return VectorXd::Zero(weight.rows());
+}
+
+VectorXd geometryOf(const CaseSize& the_case) {
+  const Topology& topology = the_case.topology;
+  const GeometryDisturbance left_out = geometryDisturbance(topology, the_case.rest, the_case.motion);
+  VectorXd rate = VectorXd::Zero(2 * topology.coordinates);
+  for (const TopologyBody& body : topology.bodies) {
+    if (body.z_index >= 0) rate(topology.coordinates + body.z_index) = left_out.force(body.z_index) / body.mass;
+    if (body.pitch_index >= 0) {
+      rate(topology.coordinates + body.pitch_index) = left_out.force(body.pitch_index) / body.pitch_inertia;
+    }
+  }
+  for (const TopologyWheelset& wheelset : topology.wheelsets) {
+    if (wheelset.z_index >= 0) {
+      rate(topology.coordinates + wheelset.z_index) = left_out.force(wheelset.z_index) / wheelset.mass;
+    }
+  }
+  VectorXd size = columnsOf(the_case, rate);
+  const auto add = [&](const std::string& name, double value) {
+    if (const auto i = columnOf(the_case.columns, name)) size(*i) += value;
+  };
+  for (std::size_t s = 0; s < topology.suspensions.size(); ++s) {
+    const TopologySuspension& suspension = topology.suspensions[s];
+    const Index row = static_cast<Index>(s);
+    add(suspension.name + ".deflection", left_out.deflection(row));
+    add(suspension.name + ".force", left_out.suspension_force(row));
+    if (suspension.lower_wheelset >= 0) {
+      const std::string& wheelset = topology.wheelsets[static_cast<std::size_t>(suspension.lower_wheelset)].name;
+      add(wheelset + ".load", left_out.suspension_force(row));
+    }
+  }
+  for (const TopologyPoint& point : topology.points) {
+    const TopologyBody& body = topology.bodies[static_cast<std::size_t>(point.body)];
+    if (body.pitch_index < 0) continue;
+    const double arm = std::abs(point.arm);
+    const double pitch = the_case.motion.state(body.pitch_index);
+    const double rate_of = the_case.motion.state(topology.coordinates + body.pitch_index);
+    add(point.name + ".z", arm * std::pow(pitch, 3) / 6.0);
+    add(point.name + ".vz", arm * pitch * pitch / 2.0 * rate_of);
+    const auto acceleration = columnOf(the_case.columns, body.name + ".pitch_acc");
+    const double pitch_acc = acceleration ? the_case.motion.output(*acceleration) : 0.0;
+    add(point.name + ".az", arm * (pitch * pitch / 2.0 * pitch_acc + pitch * rate_of * rate_of));
+  }
+  return kGeometry * size;
+}
+
+bool hasTrueGeometry(const std::string& form) { return isSimbodyForm(form) && !isLinearForm(form); }
+
+std::string integrationWords(const RunKey& run) {
+  if (run.method == "rk4") {
+    return fmt::format("integration error of rk4 at {:.4g} ms (by Richardson)", 1e3 * run.step / run.refine);
+  }
+  if (run.method == "dopri5") return fmt::format("integration error of dopri5 at {:.0e}", run.relative);
+  return fmt::format("integration error of simbody_rkm at {:.0e}", run.accuracy);
+}
+
+std::string geometryWords(const CaseSize& the_case) {
+  double pitch = 0.0;
+  for (const TopologyBody& body : the_case.topology.bodies) {
+    if (body.pitch_index >= 0) pitch = std::max(pitch, the_case.motion.state(body.pitch_index));
+  }
+  const bool heights = the_case.topology.has_heights;
+  return fmt::format("true geometry at {:.2g} mrad of pitch (relative ~ amplitude{})", 1e3 * pitch,
+                     heights ? " with heights" : "^2");
+}
+
+}  // namespace
+
+const char* nameOf(Source source) {
+  switch (source) {
+    case Source::kRounding: return "rounding";
+    case Source::kIntegration: return "integration";
+    case Source::kGeometry: return "geometry";
+  }
+  return "";
+}
+
+std::string RunKey::text() const { return fmt::format("{} {}{}", form, method, refine == 1 ? "" : " h/2"); }
+
+RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, const VectorXd& step_difference) {
+  RunSize size;
+  size.rounding = roundingOf(the_case, run);
+  size.input_rounding = columnsOf(the_case, the_case.sensitivity.matrices.B.cwiseAbs() * the_case.input_rounding);
+  size.integration = integrationOf(the_case, run, step_difference);
+  size.geometry = hasTrueGeometry(run.form) ? geometryOf(the_case) : VectorXd::Zero(size.rounding.size());
+  return size;
+}
+
+Expectation expectationOf(const CaseSize& the_case, const RunKey& a, const RunSize& a_size, const RunKey& b,
+                          const RunSize& b_size) {
+  const bool same_method = a.method == b.method;
+  const bool same_steps = same_method && a.method == "rk4" && a.step == b.step && a.refine == b.refine;
+  const bool same_geometry = hasTrueGeometry(a.form) == hasTrueGeometry(b.form);
+  const VectorXd zero = VectorXd::Zero(a_size.rounding.size());
+
+  Expectation made;
+  made.rounding = a_size.rounding + b_size.rounding;
+  if (!same_method) made.rounding += a_size.input_rounding + b_size.input_rounding;
+  const VectorXd integration = same_steps ? zero : VectorXd(a_size.integration + b_size.integration);
+  const VectorXd geometry = same_geometry ? zero : VectorXd(a_size.geometry + b_size.geometry);
+  made.size = made.rounding + integration + geometry;
+
+  // Told is what matters where the expectation is largest against the column's peak; columns that are nothing but
+  // rounding have no peak to speak of.
+  Index worst = 0;
+  double worst_share = -1.0;
+  for (Index i = 0; i < made.size.size(); ++i) {
+    const double peak = the_case.motion.output(i);
+    if (peak <= made.rounding(i)) continue;
+    if (const double share = made.size(i) / peak; share > worst_share) {
+      worst_share = share;
+      worst = i;
+    }
+  }
+  struct Part {
+    double size;
+    Source source;
+    std::string words;
+  };
+  std::vector<Part> parts = {{geometry(worst), Source::kGeometry, geometryWords(the_case)}};
+  if (!same_steps) {
+    if (a_size.integration(worst) > 0.0) parts.push_back({a_size.integration(worst), Source::kIntegration, integrationWords(a)});
+    if (b_size.integration(worst) > 0.0) parts.push_back({b_size.integration(worst), Source::kIntegration, integrationWords(b)});
+  }
+  parts.push_back({made.rounding(worst), Source::kRounding,
+                   same_steps ? "rounding (same equations, same rk4 steps)" : "rounding (same equations)"});
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.size > q.size; });
+  made.source = parts.front().source;
+  made.why = parts.front().words;
+  // A second source is worth a word from a tenth of the whole on.
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].size > 0.1 * made.size(worst) && parts[i].words != made.why) made.why += " + " + parts[i].words;
+  }
+  return made;
+}
+
+}  // namespace vehicle

@@ -50,16 +50,16 @@ AttributeReading readName(const AttributeRow& row, std::string_view text) {
 AttributeReading readFile(const AttributeRow& row, std::string_view text) {
   if (text.find_first_not_of(kSpaces) != std::string_view::npos) return {std::string(text), "", ""};
   return {std::string(text), fmt::format("{} names no file", written(row, text)),
-          fmt::format("write e.g. {}", exampleOf(row))};
+          "write the path of one, counted from the folder of this file"};
 }
 
 AttributeReading readQuantity(const AttributeRow& row, std::string_view text) {
   const ParsedQuantity parsed = parseQuantity(text, row.dimension);
   if (!parsed.si || !std::isfinite(*parsed.si)) {
-    return {1.0, fmt::format("{} {}", written(row, text), parsed.message), parsed.remedy};
+    return {placeholderOf(row), fmt::format("{} {}", written(row, text), parsed.message), parsed.remedy};
   }
   const bool in_range = row.sign == Sign::kAny || *parsed.si > 0.0 || (row.sign == Sign::kNotNegative && *parsed.si == 0.0);
-  if (!in_range) return {1.0, written(row, text), fmt::format("must be {}", rangeOf(row))};
+  if (!in_range) return {placeholderOf(row), written(row, text), fmt::format("must be {}", rangeOf(row))};
   return {*parsed.si, "", ""};
 }
 
@@ -69,10 +69,10 @@ AttributeReading readInteger(const AttributeRow& row, std::string_view text) {
   const bool whole = error != std::errc::invalid_argument && end == text.data() + text.size();
   if (!whole) {
     return {row.least, fmt::format("{} is no whole number", written(row, text)),
-            fmt::format("must be {}", rangeOf(row))};
+            fmt::format("must be from {}", rangeOf(row))};
   }
   if (error == std::errc::result_out_of_range || number < row.least || number > row.most) {
-    return {row.least, written(row, text), fmt::format("must be {}", rangeOf(row))};
+    return {row.least, written(row, text), fmt::format("must be from {}", rangeOf(row))};
   }
   return {number, "", ""};
 }
@@ -80,7 +80,9 @@ AttributeReading readInteger(const AttributeRow& row, std::string_view text) {
 AttributeReading readChoice(const AttributeRow& row, std::string_view text) {
   const int index = indexOf(text, row.choices);
   if (index >= 0) return {index, "", ""};
-  return {0, fmt::format("{} is none of {}", written(row, text), listed(row.choices)), chooseRemedy(text, row.choices)};
+  const auto nearest = suggestion(text, row.choices);
+  return {nearest ? indexOf(*nearest, row.choices) : 0,
+          fmt::format("{} is none of {}", written(row, text), listed(row.choices)), chooseRemedy(text, row.choices)};
 }
 
 AttributeReading readChoiceList(const AttributeRow& row, std::string_view text) {
@@ -105,12 +107,24 @@ AttributeReading readChoiceList(const AttributeRow& row, std::string_view text) 
     reading.message = fmt::format("{} is empty", written(row, text));
     reading.remedy = fmt::format("write one or more of {}", listed(row.choices));
   }
-  if (indices.empty()) indices.push_back(0);
+  // "z" moves without asking for anything else (pitch would want its inertia).
+  if (indices.empty()) indices.push_back(std::max(0, indexOf("z", row.choices)));
   reading.value = indices;
   return reading;
 }
 
 }  // namespace
+
+Value placeholderOf(const AttributeRow& row) {
+  switch (row.kind) {
+    case ValueKind::kQuantity: return 1.0;
+    case ValueKind::kInteger: return row.least;
+    case ValueKind::kChoice: return 0;
+    case ValueKind::kChoiceList: return readChoiceList(row, "").value;
+    case ValueKind::kFile: return "file.xml";
+    default: return {};
+  }
+}
 
 AttributeReading readAttribute(const AttributeRow& row, std::string_view text) {
   switch (row.kind) {
@@ -151,8 +165,9 @@ std::string attributeText(const AttributeRow& row, const Value& value) {
 }
 
 std::optional<std::string> suggestion(std::string_view word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t kLongestName = 64;
-  if (word.size() > kLongestName) return std::nullopt;
+  constexpr std::size_t kShortestWord = 3;  // "y" is no mistyped "x"
+  constexpr std::size_t kLongestWord = 64;
+  if (word.size() < kShortestWord || word.size() > kLongestWord) return std::nullopt;
   return nearestName(std::string(word), candidates);
 }
 

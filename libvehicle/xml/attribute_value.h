@@ -18,11 +18,15 @@ struct AttributeReading {
 
 [[nodiscard]] AttributeReading readAttribute(const AttributeRow& row, std::string_view text);
 
+/// A value in range for an attribute that is missing or wrong; monostate for names and references, without which
+/// nothing can be said about the whole.
+[[nodiscard]] Value placeholderOf(const AttributeRow& row);
+
 /// The text that readAttribute() reads back to the same value.
 /// @throws std::invalid_argument if a quantity is not finite
 [[nodiscard]] std::string attributeText(const AttributeRow& row, const Value& value);
 
-/// The nearest of the candidates for a person who mistyped; long words are no typing errors.
+/// The nearest of the candidates for a person who mistyped; words of one or two letters and very long ones are no typing errors.
 [[nodiscard]] std::optional<std::string> suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace vehicle

@@ -26,7 +26,8 @@ judges.
   Prefixes divide by powers of ten: 9 mm is the double nearest to 0.009 m. 1 tf = 9806.65 N.
 - Names have letters, digits, `_` and `-`, and begin with a letter or digit. They are unique in a file, so that
   `primary.stiffness_z`, `carbody.mass` or `front.x` address one number.
-- Unknown elements and attributes are errors, never ignored. Elements may stand in any order.
+- Unknown elements and attributes are errors, never ignored. Elements may stand in any order; bodies, wheelsets and suspensions
+  keep theirs in the results.
 - Files named by a file count from its folder.
 - Files are UTF-8 text of at most {} KiB. Document types, entities (but `&amp;`, `&lt;`, `&gt;`, `&quot;`, `&apos;` and
   character numbers) and processing instructions are refused; comments are free.

@@ -44,7 +44,6 @@ std::optional<std::string> homeOf(std::string_view name, const ElementRow& row) 
 }  // namespace
 
 void PartReader::report(int line, const std::string& path, std::string message, std::string remedy) {
-  lines_.insert(line);
   if (problems_.size() < kMostProblems) {
     const Problem problem = {{file_, line}, path, std::move(message), std::move(remedy)};
     problems_.add(problem);
@@ -74,14 +73,8 @@ void PartReader::read(const tinyxml2::XMLElement& root, const ElementRow& row, v
 void PartReader::readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
                                 const std::string& path) {
   std::set<std::string> given;  // also those that were meant by a misspelt one
-  std::map<std::string, const tinyxml2::XMLAttribute*> written;
   std::vector<const tinyxml2::XMLAttribute*> unknown;
   for (const tinyxml2::XMLAttribute* each = element.FirstAttribute(); each != nullptr; each = each->Next()) {
-    if (!written.emplace(each->Name(), each).second) {
-      report(each->GetLineNum(), path, fmt::format("attribute \"{}\" stands twice", shown(each->Name())),
-             "remove one of them");
-      continue;
-    }
     const AttributeRow* known = row.attribute(each->Name());
     if (known == nullptr) {
       unknown.push_back(each);
@@ -115,13 +108,7 @@ void PartReader::readAttributes(const tinyxml2::XMLElement& element, const Eleme
       given.insert(name);
     }
   }
-  if (row.text == nullptr) reportMissing(element, row, given, path);
-  if (lines_.count(element.GetLineNum()) == 0) {
-    for (const auto& [name, each] : written) {
-      // check() speaks of the line where the element begins, which need not be that of the wrong attribute.
-      if (lines_.count(each->GetLineNum()) != 0) lines_.insert(element.GetLineNum());
-    }
-  }
+  reportMissing(element, row, object, given, path);
 }
 
 void PartReader::readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row,
@@ -129,6 +116,8 @@ void PartReader::readOne(const tinyxml2::XMLAttribute& attribute, const Attribut
   AttributeReading reading = readAttribute(row, attribute.Value());
   if (!reading.message.empty()) {
     report(attribute.GetLineNum(), path, std::move(reading.message), std::move(reading.remedy));
+    // Whoever is called or calls wrongly is missing elsewhere.
+    if (row.kind == ValueKind::kName || row.kind == ValueKind::kReference) complete_ = false;
   }
   if (row.reserved) {
     element_row.reserved(object)->push_back({row.name, attribute.Value()});
@@ -137,13 +126,19 @@ void PartReader::readOne(const tinyxml2::XMLAttribute& attribute, const Attribut
   }
 }
 
-void PartReader::reportMissing(const tinyxml2::XMLElement& element, const ElementRow& row,
+void PartReader::reportMissing(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
                                const std::set<std::string>& given, const std::string& path) {
   for (const AttributeRow& each : row.attributes) {
     if (!each.required || given.count(each.name) != 0) continue;
     report(element.GetLineNum(), path, fmt::format("attribute \"{}\" is missing", each.name),
-           fmt::format("write e.g. {}", exampleOf(each)));
-    if (each.kind == ValueKind::kName || each.kind == ValueKind::kReference) complete_ = false;
+           fmt::format("write e.g. {}", exampleOf(each, row)));
+    if (each.kind == ValueKind::kFormat) continue;
+    const Value instead = placeholderOf(each);
+    if (std::holds_alternative<std::monostate>(instead)) {
+      complete_ = false;
+    } else {
+      each.set(object, instead);
+    }
   }
 }
 
@@ -185,7 +180,7 @@ void PartReader::readChildren(const tinyxml2::XMLElement& element, const Scope& 
   std::map<std::string, int> first_line;
   for (const tinyxml2::XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
     if (node->ToText() != nullptr) {
-      report(node->GetLineNum(), scope.path, fmt::format("the text \"{}\" stands here", shown(node->Value())),
+      report(node->GetLineNum(), scope.path, fmt::format("the text \"{}\" stands here", shown(unwrapped(node->Value()))),
              "values are attributes; only <title> and <source> hold text");
       continue;
     }

@@ -25,8 +25,6 @@ class PartReader {
 
   /// False where parts are missing in a way that would make check() talk about their absence.
   [[nodiscard]] bool isComplete() const { return complete_; }
-  /// Lines on which a value was wrong: check() has nothing to add there.
-  [[nodiscard]] const std::set<int>& linesWithProblems() const { return lines_; }
   [[nodiscard]] ProblemList takeProblems() { return std::move(problems_); }
 
  private:
@@ -43,8 +41,8 @@ class PartReader {
   void readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object, const std::string& path);
   void readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row, const ElementRow& element_row,
                void* object, const std::string& path);
-  void reportMissing(const tinyxml2::XMLElement& element, const ElementRow& row, const std::set<std::string>& given,
-                     const std::string& path);
+  void reportMissing(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
+                     const std::set<std::string>& given, const std::string& path);
   void readChildren(const tinyxml2::XMLElement& element, const Scope& scope);
   void readChild(const tinyxml2::XMLElement& child, const ElementRow& row, const Scope& scope);
   void readText(const tinyxml2::XMLElement& element, const ElementRow& row, std::string& text, const std::string& path);
@@ -53,7 +51,6 @@ class PartReader {
 
   std::string file_;
   ProblemList problems_;
-  std::set<int> lines_;
   bool complete_ = true;
 };
 

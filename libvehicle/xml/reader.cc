@@ -59,11 +59,7 @@ Outcome<Definition> readDefinition(std::string_view text, const std::string& fil
   PartReader reader(file_name);
   reader.read(*document.root, schema, &definition);
   outcome.problems = reader.takeProblems();
-  if (reader.isComplete()) {
-    for (const Problem& problem : check(definition)) {
-      if (reader.linesWithProblems().count(problem.place.line) == 0) outcome.problems.add(problem);
-    }
-  }
+  if (reader.isComplete()) outcome.problems.append(check(definition));
   outcome.problems.sortByPlace();
   if (outcome.problems.empty()) outcome.value = std::move(definition);
   return outcome;

@@ -58,19 +58,14 @@ std::string rangeOf(const AttributeRow& row) {
   return row.sign == Sign::kPositive ? "> 0" : ">= 0";
 }
 
-std::string exampleOf(const AttributeRow& row) {
-  std::string value;
-  switch (row.kind) {
-    case ValueKind::kFormat: value = kFileFormat; break;
-    case ValueKind::kName: value = "front_bogie"; break;
-    case ValueKind::kReference: value = row.name == "element" ? "primary" : row.name == "wheelset" ? "wheelset_1" : "carbody"; break;
-    case ValueKind::kFile: value = "../vehicles/coach.xml"; break;
-    case ValueKind::kQuantity: value = describe(row.dimension).example; break;
-    case ValueKind::kInteger: value = std::to_string(row.least); break;
-    case ValueKind::kChoice: value = row.choices.front(); break;
-    case ValueKind::kChoiceList: value = "z pitch"; break;
+std::string exampleOf(const AttributeRow& row, const ElementRow& element) {
+  const std::string begin = fmt::format(" {}=\"", row.name);
+  const std::size_t at = element.example.find(begin);
+  if (at != std::string::npos) {
+    return element.example.substr(at + 1, element.example.find('"', at + begin.size()) - at);
   }
-  return fmt::format("{}=\"{}\"", row.name, value);
+  return fmt::format("{}=\"{}\"", row.name,
+                     row.kind == ValueKind::kQuantity ? describe(row.dimension).example : row.choices.front());
 }
 
 }  // namespace vehicle

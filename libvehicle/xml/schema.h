@@ -96,8 +96,8 @@ struct ElementRow {
 /// The range in words, e.g. "> 0", "1 to 2"; empty where every value will do.
 [[nodiscard]] std::string rangeOf(const AttributeRow& row);
 
-/// What a file could say there, e.g. `mass="57 t"`.
-[[nodiscard]] std::string exampleOf(const AttributeRow& row);
+/// What a file could say there, e.g. `mass="57 t"`: as in the element's example if it stands there.
+[[nodiscard]] std::string exampleOf(const AttributeRow& row, const ElementRow& element);
 
 /// XML schema (XSD 1.0) of all kinds of file, for editors and xmllint. It knows elements, attributes, choices,
 /// signs and the form of a quantity; dimensions and references only the reader judges.

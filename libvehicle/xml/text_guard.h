@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -14,10 +15,12 @@ inline constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 /// The most problems that are told of one file; one more line says that there are others.
 inline constexpr std::size_t kMostProblems = 200;
 
-/// Judges the text before any XML library sees it: size, UTF-8, no control characters, no doctype, no
-/// entities but the five of XML, no processing instructions, comments and CDATA closed.
-///
-/// An XML library would expand, skip or repair these without a word, and differently from the next library.
+/// Judges the text before any XML library sees it: size, UTF-8, no control characters, and the form of its
+/// markup (markup_guard.h). An XML library would expand, skip or repair much of this without a word, and
+/// differently from the next library.
 [[nodiscard]] ProblemList guardText(std::string_view text, const std::string& file_name);
+
+/// The characters of XML 1.0, section 2.2.
+[[nodiscard]] bool isXmlCharacter(std::uint32_t code);
 
 }  // namespace vehicle

@@ -101,12 +101,20 @@ class Writer {
 
   static bool isLeaf(const PartToWrite& part) { return part.row->children.empty() && !part.row->is_group; }
 
+  /// Elements that can share columns: the same one, beginning with the same attribute.
+  static bool isAlike(const PartToWrite& a, const PartToWrite& b) {
+    if (a.row != b.row) return false;
+    const Written first = attributesOf(*a.row, a.object);
+    const Written second = attributesOf(*b.row, b.object);
+    return first.empty() || second.empty() || first.front().first == second.front().first;
+  }
+
   void writeParts(const std::vector<PartToWrite>& parts, int depth, Gap gap) {
     for (std::size_t begin = 0; begin < parts.size();) {
       std::size_t end = begin + 1;
-      while (isLeaf(parts[begin]) && end < parts.size() && parts[end].row == parts[begin].row) ++end;
+      while (isLeaf(parts[begin]) && end < parts.size() && isAlike(parts[end], parts[begin])) ++end;
       if (depth == 1 && gap == Gap::kBefore && (end > begin + 1 || parts[begin].row->many)) text_ += '\n';
-      gap = Gap::kBefore;
+      gap = end < parts.size() && parts[end].row == parts[begin].row && !parts[begin].row->is_group ? Gap::kNone : Gap::kBefore;
       if (isLeaf(parts[begin])) {
         writeAligned({parts.begin() + static_cast<std::ptrdiff_t>(begin), parts.begin() + static_cast<std::ptrdiff_t>(end)},
                      depth);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Equations (2)-(5) of the source paper in their consistent reading (docs/theory), one function an equation.
+// Equations (2)-(5) of the source paper in their consistent reading, one function an equation; as they are generalised
+// here they are (3.1)-(3.3) of docs/theory/vertical.md.
 //
 // 1. T is a number: `double` in the flat form, a SIMD pack with one design per lane in an ensemble. So there is
 //    no std, no Eigen and no branch here, and everything is forced inline: the kernel files of an ensemble are
@@ -54,7 +55,8 @@ template <class T>
 [[nodiscard, gnu::always_inline]] inline T carbodyPitch(const FlatCoefficients<T>& p, const FlatState<T>& s) {
   return -p.inv_Jk *
          (p.lf * (p.bk1 * (s.dzk - s.dz1 + p.lf * s.dphi) + p.ck1 * (s.zk - s.z1 + p.lf * s.phi)) -
-          p.lr * (p.bk2 * (s.dzk - s.dz2 - p.lr * s.dphi) + p.ck2 * (s.zk - s.z2 - p.lr * s.phi)) + p.kg * s.phi);  // (3)
+          p.lr * (p.bk2 * (s.dzk - s.dz2 - p.lr * s.dphi) + p.ck2 * (s.zk - s.z2 - p.lr * s.phi)) +
+          p.kg * s.phi);  // (3)
 }
 
 /// (4) bounce of the front bogie [m/s^2]. Paper: mb z1'' - bk (zk' - z1' + ak phi') - ck (zk - z1 + ak phi)

@@ -17,8 +17,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The paper's letters of a symmetric vehicle.
 PaperCoefficients<double> paperCoefficients(const FlatParameters& v) {
-  return {.inv_mk = 1.0 / v.mk, .inv_Jk = 1.0 / v.Jk, .inv_mb = 1.0 / v.m1, .inv_cb = 1.0 / v.cp[0], .ak = v.lf,
-          .ck = v.cs1, .bk = v.bs1, .cb = v.cp[0], .bb = v.bp[0]};
+  return {.inv_mk = 1.0 / v.mk, .inv_Jk = 1.0 / v.Jk, .inv_mb = 1.0 / v.m1, .inv_cb = 1.0 / v.cp[0],
+          .ak = v.lf, .ck = v.cs1, .bk = v.bs1, .cb = v.cp[0], .bb = v.bp[0]};
 }
 
 /// Columns of a result where each part's first number stands; the others follow as resultChannels() says.
@@ -49,7 +49,8 @@ class PaperForm final : public FlatForm {
         states_(stateChannels(topology)),
         outputs_(resultChannels(topology)) {
     const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
-    const std::array<int, 4> place = {carbody.z_index, carbody.pitch_index, topology.bodies[at(layout.bogie[0])].z_index,
+    const std::array<int, 4> place = {carbody.z_index, carbody.pitch_index,
+                                      topology.bodies[at(layout.bogie[0])].z_index,
                                       topology.bodies[at(layout.bogie[1])].z_index};
     for (std::size_t i = 0; i < 4; ++i) {
       state_order_[i] = place[i];

@@ -98,7 +98,7 @@ class Reader {
                  "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix");
     }
     for (const int s : on_wheels_[at(reading_.layout.carbody)]) {
-      misfitSuspension(s, fmt::format("joins the carbody \"{}\" to a wheelset; the flat form's carbody stands on bogies",
+      misfitSuspension(s, fmt::format("joins the carbody \"{}\" to a wheelset; the flat form's stands on bogies",
                                       carbody.name));
     }
     return true;
@@ -138,7 +138,7 @@ class Reader {
                                     secondaries.size(), namesOf(topology_.suspensions, secondaries)));
     }
     for (const int s : under_[at(index)]) {
-      misfitSuspension(s, fmt::format("joins the bogie \"{}\" to another body; the flat form's bogies stand on wheelsets",
+      misfitSuspension(s, fmt::format("joins the bogie \"{}\" to another body; the flat form's stand on wheelsets",
                                       bogie.name));
     }
     std::vector<int> primaries = on_wheels_[at(index)];
@@ -226,7 +226,8 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
   };
   const TopologyBody& front = topology.bodies[at(layout.bogie[0])];
   const TopologyBody& rear = topology.bodies[at(layout.bogie[1])];
-  compare(vehicle.bodies[at(layout.bogie[1])].origin, "body", rear.name, "mass", rear.mass, front.name, front.mass, "kg");
+  compare(vehicle.bodies[at(layout.bogie[1])].origin, "body", rear.name, "mass", rear.mass, front.name, front.mass,
+          "kg");
   compareSuspension(layout.secondary[1], layout.secondary[0]);
   const TopologySuspension& ahead = topology.suspensions[at(layout.secondary[0])];
   const TopologySuspension& behind = topology.suspensions[at(layout.secondary[1])];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -91,7 +92,7 @@ Eigen::VectorXd solve(const Balance& balance) {
 
 /// A topology does not know lines, so the part is told by its name.
 Problem problem(const char* kind, const std::string& name, std::string message, std::string remedy) {
-  return Problem{{}, std::string("<vehicle><") + kind + " name=\"" + name + "\">", std::move(message), std::move(remedy)};
+  return {{}, std::string("<vehicle><") + kind + " name=\"" + name + "\">", std::move(message), std::move(remedy)};
 }
 
 /// What acts on each coordinate that nothing takes up, told with the part's name.
@@ -175,6 +176,9 @@ double largestChange(const std::vector<double>& now, const std::vector<double>& 
 }  // namespace
 
 Rest restOf(const Topology& topology, double gravity) {
+  if (!(gravity >= 0.0 && std::isfinite(gravity))) {
+    throw std::invalid_argument("restOf: gravity = " + number(gravity) + ", must be finite and >= 0");
+  }
   std::vector<Eigen::VectorXd> rows;
   rows.reserve(topology.suspensions.size());
   double weight = 0.0;

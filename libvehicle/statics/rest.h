@@ -21,13 +21,15 @@ struct Rest {
   /// F0 the static upward force on the body at the attachment, z_a the attachment's height above its centre
   /// of gravity. 0 without heights. Negative (it destabilises) where a body stands on springs below its CG.
   std::vector<double> pitch_stiffness;
-  std::vector<double> contact_stiffness;  // [N/m] (wheelsets) given, or 1.5 C^(2/3) Q0^(1/3) of the Hertz constant; 0 where it follows the rail
+  /// [N/m] (wheelsets) given, or 1.5 C^(2/3) Q0^(1/3) of the Hertz constant; 0 where it follows the rail
+  std::vector<double> contact_stiffness;
 };
 
 /// @param gravity  [m/s^2] >= 0
 /// @throws InvalidInput if springs or given preloads cannot carry the weight, naming the body or wheelset: a
 ///         force or moment left over beyond 1e-6 of what acts there, a wheel pulled off the rail, or a Hertz
 ///         contact without a static load
+/// @throws std::invalid_argument unless gravity is finite and >= 0
 [[nodiscard]] Rest restOf(const Topology& topology, double gravity);
 
 }  // namespace vehicle

@@ -80,7 +80,9 @@ std::string written(std::string_view attribute, double value, Dimension dimensio
 }
 
 std::string written(std::string_view attribute, std::string_view text) {
-  return std::string(attribute) + "=\"" + std::string(text) + '"';
+  std::string one_line(text);
+  std::replace_if(one_line.begin(), one_line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return std::string(attribute) + "=\"" + one_line + '"';
 }
 
 std::string inLine(const Place& place) {

@@ -48,7 +48,7 @@ class Judge {
 
 /// attribute="30 kN/m", as a file would say it.
 [[nodiscard]] std::string written(std::string_view attribute, double value, Dimension dimension);
-/// attribute="text"
+/// attribute="text"; control characters become question marks, a message is one line.
 [[nodiscard]] std::string written(std::string_view attribute, std::string_view text);
 /// " (line 12)", or "" where that is not known.
 [[nodiscard]] std::string inLine(const Place& place);

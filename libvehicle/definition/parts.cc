@@ -58,7 +58,7 @@ class References {
       return;
     }
     // Comparing every lost name with every name of a huge file would take minutes; nobody reads so many.
-    constexpr int kSuggestions = 100;
+    constexpr int kSuggestions = 20;
     std::vector<std::string> candidates;
     for (const Part& part : parts_) {
       if (suggested_ < kSuggestions && fits(part)) candidates.push_back(part.name);

@@ -152,7 +152,7 @@ std::string formatQuantity(double si, Dimension dimension) {
     if (!number) continue;
     const std::string text = symbol.empty() ? *number : *number + ' ' + std::string(symbol);
     if (shortest.empty() || text.size() < shortest.size()) shortest = text;
-    if (symbol.empty()) break;
+    if (symbol.empty() || si == 0.0) break;
   }
   return shortest;
 }

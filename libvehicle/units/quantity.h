@@ -53,7 +53,8 @@ struct ParsedQuantity {
 [[nodiscard]] ParsedQuantity parseQuantity(std::string_view text, Dimension expected);
 
 /// Text that parseQuantity() reads back to the same bits: in the customary unit of the railway where that
-/// is exact ("3040 kN/m"), otherwise in SI with as many digits as are needed. The shortest text wins.
+/// is exact ("3040 kN/m"), otherwise in SI with as many digits as are needed. The shortest text wins;
+/// 0 is 0 of the customary unit.
 /// @param si  finite, and not subnormal (parseQuantity() refuses those as too close to zero)
 /// @throws std::invalid_argument if si is not finite
 [[nodiscard]] std::string formatQuantity(double si, Dimension dimension);

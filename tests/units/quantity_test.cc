@@ -139,7 +139,8 @@ TEST(ParseQuantity, SaysWhichKindOfQuantityStandsThereInstead) {
 TEST(ParseQuantity, RefusesWhatIsNoNumber) {
   EXPECT_EQ(refusal("", kLength), "is empty; a length is expected, e.g. \"3.725 m\"");
   EXPECT_EQ(refusal(" \n", kLength), "is empty; a length is expected, e.g. \"3.725 m\"");
-  for (const char* text : {"m", "abc m", "--3 m", "- 3 m", ". m", "1.2.3 m", "1, m", "1-2 m", "e3 m", "\u22123 m"}) {
+  for (const char* text :
+       {"m", "abc m", "--3 m", "- 3 m", ". m", "1.2.3 m", "1, m", "1-2 m", "e3 m", "\u22123 m"}) {
     EXPECT_EQ(refusal(text, kLength), "is not a number; a length is expected, e.g. \"3.725 m\"") << text;
   }
   EXPECT_EQ(refusal("1,5 m", kLength),
@@ -180,7 +181,8 @@ TEST(ParseQuantity, RefusesAMalformedUnit) {
   const std::string end = "; a moment of inertia is expected, e.g. \"70 t*m^2\"";
   for (const char* unit : {"t*", "*t", "t**m", "t/", "t*(m", "t*m)", "t*m^", "t*m^x", "t^99", "((((((((((t))))))))))",
                            "()", "1/s", "t#m", "(((h^9)^9)^9)"}) {
-    EXPECT_EQ(refusal(std::string("70 ") + unit, kInertia), "has the malformed unit \"" + std::string(unit) + "\"" + end);
+    EXPECT_EQ(refusal(std::string("70 ") + unit, kInertia),
+              "has the malformed unit \"" + std::string(unit) + "\"" + end);
   }
   EXPECT_EQ(refusal("70 t*m2", kInertia),
             "has the malformed unit \"t*m2\"" + end + "; a power is written with \"^\", as in \"m^2\"");
@@ -219,6 +221,8 @@ TEST(FormatQuantity, UsesTheCustomaryUnitWhereItIsShorter) {
   EXPECT_EQ(formatQuantity(1.2e-3, kAngle), "1.2 mrad");
   EXPECT_EQ(formatQuantity(std::numbers::pi / 2, kAngle), "90 deg");
   EXPECT_EQ(formatQuantity(0.0, kLength), "0 m");
+  EXPECT_EQ(formatQuantity(0.0, kMass), "0 kg");
+  EXPECT_EQ(formatQuantity(0.0, kStiffness), "0 kN/m");
   EXPECT_EQ(formatQuantity(-0.0, kLength), "-0 m");
   EXPECT_EQ(formatQuantity(3.0, kNumber), "3");
   EXPECT_EQ(formatQuantity(1e-3, kNumber), "0.001");

@@ -1,0 +1,77 @@
+#include "libvehicle/excitation/rail_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace vehicle {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// Adds amplitude sin(wavenumber x + phase), wavenumber of any sign.
+void addSine(RailPiece& piece, double amplitude, double wavenumber, double phase) {
+  if (wavenumber == 0.0) {
+    piece.level += amplitude * std::sin(phase);
+  } else if (wavenumber < 0.0) {
+    addSine(piece, -amplitude, -wavenumber, -phase);
+  } else {
+    piece.waves.push_back({wavenumber, amplitude * std::sin(phase), amplitude * std::cos(phase)});
+  }
+}
+
+void addHarmonics(const Track& track, std::vector<RailPiece>& pieces) {
+  const bool onset = track.history == History::kOnset;
+  const bool fades = onset && track.fade_in;
+  RailPiece fading{.from = 0.0, .to = fades ? *track.fade_in : 0.0, .waves = {}};
+  RailPiece steady{.from = onset ? fading.to : -kNever, .to = kNever, .waves = {}};
+  for (const Harmonic& each : track.harmonics) {
+    if (each.amplitude == 0.0) continue;
+    const double wavenumber = 2.0 * kPi * each.order / each.wavelength;
+    addSine(steady, each.amplitude, wavenumber, each.phase);
+    if (!fades) continue;
+    const double fade = kPi / *track.fade_in;
+    addSine(fading, 0.5 * each.amplitude, wavenumber, each.phase);
+    addSine(fading, -0.25 * each.amplitude, wavenumber + fade, each.phase);
+    addSine(fading, -0.25 * each.amplitude, wavenumber - fade, each.phase);
+  }
+  if (!fading.waves.empty()) pieces.push_back(std::move(fading));
+  if (!steady.waves.empty()) pieces.push_back(std::move(steady));
+}
+
+RailPiece pieceOf(const Dip& dip) {
+  RailPiece piece{.from = dip.start, .to = dip.start + dip.length, .origin = dip.start, .waves = {}};
+  if (dip.shape == DipShape::kOneMinusCosine) {
+    piece.level = -0.5 * dip.depth;
+    piece.waves.push_back({2.0 * kPi / dip.length, 0.5 * dip.depth, 0.0});
+  } else {
+    piece.waves.push_back({kPi / dip.length, 0.0, -dip.depth});
+  }
+  return piece;
+}
+
+}  // namespace
+
+std::vector<RailPiece> piecesOf(const Track& track) {
+  std::vector<RailPiece> pieces;
+  addHarmonics(track, pieces);
+  for (const Dip& each : track.dips) {
+    if (each.depth != 0.0) pieces.push_back(pieceOf(each));
+  }
+  for (const Ramp& each : track.ramps) {
+    if (each.rise == 0.0) continue;
+    const double top = each.start + each.length;
+    pieces.push_back({each.start, top, each.start, 0.0, each.rise / each.length, {}});
+    pieces.push_back({top, kNever, top, each.rise, 0.0, {}});
+  }
+  if (track.history == History::kOnset) {
+    std::erase_if(pieces, [](const RailPiece& piece) { return piece.to <= 0.0; });
+    for (RailPiece& piece : pieces) piece.from = std::max(piece.from, 0.0);
+  }
+  return pieces;
+}
+
+}  // namespace vehicle

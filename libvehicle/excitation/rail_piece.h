@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "libvehicle/definition/scenario.h"
+
+namespace vehicle {
+
+/// cosine cos(wavenumber x) + sine sin(wavenumber x)
+struct RailWave {
+  double wavenumber = 0.0;  // [rad/m] > 0
+  double cosine = 0.0;      // [m]
+  double sine = 0.0;        // [m]
+};
+
+/// One term of the rail's height that holds on [from, to) and is nothing elsewhere; x = s - origin:
+///     level + slope x + sum of waves
+struct RailPiece {
+  double from = 0.0;    // [m]; -infinity: has always been there
+  double to = 0.0;      // [m]; +infinity: never ends
+  double origin = 0.0;  // [m]
+  double level = 0.0;   // [m]
+  double slope = 0.0;   // [-]
+  std::vector<RailWave> waves;
+};
+
+/// The rail's height as a sum of pieces; its corners are the finite ends of the pieces. Members of no height give
+/// no piece. A faded harmonic is three waves, since
+///     a sin(k s + p) (1 - cos(g s))/2 = a/2 sin(k s + p) - a/4 sin((k + g) s + p) - a/4 sin((k - g) s + p),
+/// g = pi / fade_in. With `onset`, pieces are cut at s = 0.
+[[nodiscard]] std::vector<RailPiece> piecesOf(const Track& track);
+
+}  // namespace vehicle

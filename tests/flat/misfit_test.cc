@@ -1,0 +1,257 @@
+// What the flat form refuses, word for word, naming the element.
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "libvehicle/flat/flat_form.h"
+#include "tests/support/vehicles.h"
+
+namespace vehicle::test {
+namespace {
+
+std::string misfitsOf(const Vehicle& vehicle, FlatVariant variant = FlatVariant::kConsistent) {
+  return flatMisfits(vehicle, variant).text();
+}
+
+TEST(FlatMisfits, AreNoneForCarbodiesOnTwoBogies) {
+  EXPECT_EQ(misfitsOf(paperVehicle()), "");
+  EXPECT_EQ(misfitsOf(asymmetricVehicle()), "");
+  EXPECT_EQ(misfitsOf(heightsVehicle()), "");
+  for (const FlatVariant variant : {FlatVariant::kPrinted7, FlatVariant::kLiteral, FlatVariant::kLiteralMb}) {
+    EXPECT_EQ(misfitsOf(paperVehicle(), variant), "");
+  }
+}
+
+// Its mass enters the load only.
+TEST(FlatMisfits, AreNoneForAWheelsetWithMassThatFollowsTheRail) {
+  Vehicle vehicle = paperVehicle();
+  for (Wheelset& each : vehicle.wheelsets) each.mass = 1800.0;
+  EXPECT_EQ(misfitsOf(vehicle), "");
+}
+
+TEST(FlatMisfits, NamePitchingBogiesAndTheirLines) {
+  Vehicle vehicle = bogiePitchVehicle();
+  vehicle.bodies[1].origin.file = "coach.xml";
+  vehicle.bodies[1].origin.line = 41;
+  vehicle.bodies[2].origin.file = "coach.xml";
+  vehicle.bodies[2].origin.line = 43;
+  EXPECT_EQ(misfitsOf(vehicle),
+            "coach.xml:41: error: <vehicle><body name=\"front_bogie\">: pitches; the flat form's bogies move in z only; "
+            "write motion=\"z\", or use the form matrix\n"
+            "coach.xml:43: error: <vehicle><body name=\"rear_bogie\">: pitches; the flat form's bogies move in z only; "
+            "write motion=\"z\", or use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameWheelsetsWithAMotionOfTheirOwn) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.wheelsets[2].mass = 1800.0;
+  vehicle.wheelsets[2].contact_stiffness = 2e9;
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><wheelset name=\"wheelset_3\">: has a motion of its own on its contact; the flat form's "
+            "wheelsets follow the rail; leave out the contact, or use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheCarbodyThatDoesNotPitch) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies[0].motion = {Motion::kZ};
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"carbody\">: moves in z only; the flat form's carbody moves in z and pitch; "
+            "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheCarbodyThatOnlyPitches) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies[0].motion = {Motion::kPitch};
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"carbody\">: moves in pitch only; the flat form's carbody moves in z and pitch; "
+            "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheBogieThatOnlyPitches) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies[1].motion = {Motion::kPitch};
+  vehicle.bodies[1].pitch_inertia = 9e3;
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"front_bogie\">: pitches; the flat form's bogies move in z only; write "
+            "motion=\"z\", or use the form matrix\n");
+}
+
+Vehicle withThirdBogie() {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies.push_back(body("middle_bogie", 9e3, 0.0, std::nullopt, {Motion::kZ}));
+  vehicle.wheelsets.push_back(wheelset("wheelset_5", 0.7));
+  vehicle.wheelsets.push_back(wheelset("wheelset_6", -0.7));
+  vehicle.suspensions.push_back(suspension("secondary_middle", "secondary", "carbody", "middle_bogie", 0.0));
+  vehicle.suspensions.push_back(suspension("primary_5", "primary", "middle_bogie", "wheelset_5", 0.7));
+  vehicle.suspensions.push_back(suspension("primary_6", "primary", "middle_bogie", "wheelset_6", -0.7));
+  return vehicle;
+}
+
+TEST(FlatMisfits, NameTheCarbodyOnThreeBogies) {
+  EXPECT_EQ(misfitsOf(withThirdBogie()),
+            "error: <vehicle><body name=\"carbody\">: stands on 3 bogies (\"front_bogie\", \"rear_bogie\", "
+            "\"middle_bogie\"); the flat form has two; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheBogieWithOneAxle) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.wheelsets.pop_back();
+  vehicle.suspensions.pop_back();
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"rear_bogie\">: stands on wheelsets by 1 suspension (\"primary_3\"); the flat form "
+            "has two axles a bogie; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheBogieWithThreeAxles) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.wheelsets.push_back(wheelset("wheelset_5", 3.7));
+  vehicle.suspensions.push_back(suspension("primary_5", "primary", "front_bogie", "wheelset_5", 3.7));
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"front_bogie\">: stands on wheelsets by 3 suspensions (\"primary_1\", "
+            "\"primary_2\", \"primary_5\"); the flat form has two axles a bogie; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheBogieThatStandsTwiceOnAWheelset) {
+  Vehicle vehicle = paperVehicle();
+  named(vehicle.suspensions, "primary_2").lower = "wheelset_1";
+  vehicle.wheelsets.erase(vehicle.wheelsets.begin() + 1);
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"front_bogie\">: stands twice on the wheelset \"wheelset_1\"; the flat form has two "
+            "axles a bogie; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheBogieUnderTwoSecondaries) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.suspensions.push_back(suspension("secondary_extra", "secondary", "carbody", "front_bogie", 3.0));
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"front_bogie\">: carries by 2 suspensions (\"secondary_front\", "
+            "\"secondary_extra\"); the flat form has one secondary a bogie; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheSuspensionFromCarbodyToWheelset) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.suspensions.push_back(suspension("strut", "primary", "carbody", "wheelset_1", 5.225));
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><suspension name=\"strut\">: joins the carbody \"carbody\" to a wheelset; the flat form's stands "
+            "on bogies; use the form matrix\n"
+            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"carbody\"); the flat form's "
+            "wheelsets carry one bogie each; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheWheelsetUnderTwoBogies) {
+  Vehicle vehicle = paperVehicle();
+  named(vehicle.suspensions, "primary_3").lower = "wheelset_2";
+  vehicle.wheelsets.erase(vehicle.wheelsets.begin() + 2);
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><wheelset name=\"wheelset_2\">: carries 2 bodies (\"front_bogie\", \"rear_bogie\"); the flat "
+            "form's wheelsets carry one bogie each; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheSecondCarbodyAndBodiesOfAThirdFloor) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies.push_back(body("cab", 2e3, 6.0, std::nullopt, {Motion::kZ}));
+  vehicle.suspensions.push_back(suspension("cab_mount", "primary", "cab", "front_bogie", 6.0));
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"cab\">: is a carbody beside \"carbody\"; the flat form has one carbody; use the "
+            "form matrix\n"
+            "error: <vehicle><body name=\"front_bogie\">: carries by 2 suspensions (\"secondary_front\", \"cab_mount\"); the "
+            "flat form has one secondary a bogie; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheBodyThatIsNoBogie) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies.push_back(body("tender", 2e3, 9.0, std::nullopt, {Motion::kZ}));
+  vehicle.suspensions.push_back(suspension("tender_spring", "primary", "tender", "wheelset_1", 9.0));
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><body name=\"tender\">: is neither the carbody nor a bogie under it; the flat form has no other "
+            "body; use the form matrix\n"
+            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"tender\"); the flat form's "
+            "wheelsets carry one bogie each; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheSuspensionBetweenBogies) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.suspensions.push_back(suspension("link", "primary", "front_bogie", "rear_bogie", 0.0));
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle><suspension name=\"link\">: joins the bogie \"front_bogie\" to another body; the flat form's "
+            "stand on wheelsets; use the form matrix\n"
+            "error: <vehicle><body name=\"rear_bogie\">: carries by 2 suspensions (\"secondary_rear\", \"link\"); the flat "
+            "form has one secondary a bogie; use the form matrix\n");
+}
+
+TEST(FlatMisfits, NameTheVehicleWithoutBogies) {
+  Vehicle vehicle;
+  vehicle.name = "trolley";
+  vehicle.elements = {element("spring", 1e6, 0.0)};
+  vehicle.bodies = {body("deck", 1e3, 0.0, 1e3, {Motion::kZ, Motion::kPitch})};
+  vehicle.wheelsets = {wheelset("ahead", 2.0), wheelset("behind", -2.0)};
+  vehicle.suspensions = {suspension("s_ahead", "spring", "deck", "ahead", 2.0),
+                         suspension("s_behind", "spring", "deck", "behind", -2.0)};
+  EXPECT_EQ(misfitsOf(vehicle),
+            "error: <vehicle name=\"trolley\">: has no body that stands on other bodies; the flat form is a carbody on two "
+            "bogies; use the form matrix\n");
+}
+
+TEST(FlatMisfits, OfAContradictoryVehicleAreItsProblems) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies[0].mass = -1.0;
+  EXPECT_EQ(misfitsOf(vehicle), check(vehicle).text());
+  EXPECT_NE(misfitsOf(vehicle), "");
+}
+
+TEST(PrintedVariants, RefuseAnAsymmetricVehicleNamingWhatDiffers) {
+  EXPECT_EQ(
+      misfitsOf(asymmetricVehicle(), FlatVariant::kPrinted7),
+      "error: <vehicle><body name=\"rear_bogie\">: has mass 7500 kg, \"front_bogie\" has 10200 kg; the printed equations "
+      "know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"secondary_rear\">: has stiffness 1.9e+06 N/m, \"secondary_front\" has 3.1e+06 N/m; "
+      "the printed equations know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"secondary_rear\">: has damping 85000 N*s/m, \"secondary_front\" has 60000 N*s/m; "
+      "the printed equations know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"secondary_rear\">: stands 4.8 m behind the carbody's centre of gravity, "
+      "\"secondary_front\" 3.7 m ahead; the printed equations know one lever arm; give both the same, or use the form "
+      "flat\n"
+      "error: <vehicle><suspension name=\"primary_2\">: has stiffness 3.4e+06 N/m, \"primary_1\" has 2.7e+06 N/m; the "
+      "printed equations know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"primary_2\">: has damping 33000 N*s/m, \"primary_1\" has 21000 N*s/m; the printed "
+      "equations know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"primary_3\">: has stiffness 2.2e+06 N/m, \"primary_1\" has 2.7e+06 N/m; the "
+      "printed equations know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"primary_3\">: has damping 45000 N*s/m, \"primary_1\" has 21000 N*s/m; the printed "
+      "equations know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"primary_4\">: has stiffness 3.9e+06 N/m, \"primary_1\" has 2.7e+06 N/m; the "
+      "printed equations know one value; give both the same, or use the form flat\n"
+      "error: <vehicle><suspension name=\"primary_4\">: has damping 12000 N*s/m, \"primary_1\" has 21000 N*s/m; the printed "
+      "equations know one value; give both the same, or use the form flat\n");
+}
+
+TEST(PrintedVariants, RefuseStaticLoadsAtHeights) {
+  EXPECT_EQ(misfitsOf(heightsVehicle(0.5), FlatVariant::kLiteral),
+            "error: <vehicle><suspension name=\"secondary_front\">: ends 0.5 m below the carbody's centre of gravity; the "
+            "printed equations carry no static loads at heights; leave out the heights, or use the form flat\n"
+            "error: <vehicle><suspension name=\"secondary_rear\">: ends 0.5 m below the carbody's centre of gravity; the "
+            "printed equations carry no static loads at heights; leave out the heights, or use the form flat\n");
+}
+
+TEST(BuildFlatForm, ThrowsTheMisfits) {
+  try {
+    static_cast<void>(buildFlatForm(bogiePitchVehicle(), 9.81));
+    FAIL() << "a pitching bogie was accepted";
+  } catch (const InvalidInput& wrong) {
+    EXPECT_EQ(wrong.problems().text(), misfitsOf(bogiePitchVehicle()));
+  }
+}
+
+// Static loads matter where the form fits: a carbody that lifts a wheelset is refused as restOf() does.
+TEST(BuildFlatForm, RefusesAVehicleThatTipsOver) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies[0].x = 9.0;
+  EXPECT_THROW(static_cast<void>(buildFlatForm(vehicle, 9.81)), InvalidInput);
+}
+
+}  // namespace
+}  // namespace vehicle::test

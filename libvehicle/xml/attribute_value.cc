@@ -18,8 +18,10 @@ constexpr std::string_view kSpaces = " \t\r\n";
 
 bool isLetterOrDigit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
+constexpr std::size_t kLongestName = 64;
+
 bool isName(std::string_view text) {
-  return !text.empty() && isLetterOrDigit(text.front()) &&
+  return !text.empty() && text.size() <= kLongestName && isLetterOrDigit(text.front()) &&
          std::all_of(text.begin(), text.end(), [](char c) { return isLetterOrDigit(c) || c == '_' || c == '-'; });
 }
 
@@ -44,7 +46,8 @@ int indexOf(std::string_view word, const std::vector<std::string>& choices) {
 AttributeReading readName(const AttributeRow& row, std::string_view text) {
   if (isName(text)) return {std::string(text), "", ""};
   return {std::string(text), fmt::format("{} is no name", written(row, text)),
-          "names have letters a-z, A-Z, digits, \"_\" and \"-\", and begin with a letter or digit"};
+          fmt::format("names have up to {} letters a-z, A-Z, digits, \"_\" and \"-\", and begin with a letter or digit",
+                      kLongestName)};
 }
 
 AttributeReading readFile(const AttributeRow& row, std::string_view text) {

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/xml/message_text.h"
 #include "libvehicle/xml/text_guard.h"
 
 namespace vehicle {
@@ -77,18 +76,7 @@ Document parseDocument(std::string_view text, const std::string& file_name) {
     report(0, "the file holds no element", "write e.g. <vehicle name=\"coach\" format=\"1\"> ... </vehicle>");
     return document;
   }
-  for (const tinyxml2::XMLNode* node = tree.FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (node->ToText() != nullptr) {
-      report(node->GetLineNum(), fmt::format("the text \"{}\" stands outside the root element", shown(node->Value())),
-             "remove it");
-    } else if (node->ToElement() != nullptr && node != root) {
-      report(node->GetLineNum(), fmt::format("a second root element <{}> stands after <{}>", shown(node->Value()),
-                                             shown(root->Value())),
-             "one file holds one");
-      break;
-    }
-  }
-  if (document.problems.empty()) document.root = root;
+  document.root = root;
   return document;
 }
 

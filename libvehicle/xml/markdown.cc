@@ -24,7 +24,7 @@ judges.
 - A quantity carries its unit: `3040 kN/m`, `30 kN*s/m`, `57 t`, `70 t*m^2`, `70 tf*m*s^2`, `1.2 mrad`, `72 km/h`. A unit
   is a product or quotient of symbols with prefix and power. A missing, unknown or wrong unit is an error.
   Prefixes divide by powers of ten: 9 mm is the double nearest to 0.009 m. 1 tf = 9806.65 N.
-- Names have letters, digits, `_` and `-`, and begin with a letter or digit. They are unique in a file, so that
+- Names have up to 64 letters, digits, `_` and `-`, and begin with a letter or digit. They are unique in a file, so that
   `primary.stiffness_z`, `carbody.mass` or `front.x` address one number.
 - Unknown elements and attributes are errors, never ignored. Elements may stand in any order; bodies, wheelsets and suspensions
   keep theirs in the results.

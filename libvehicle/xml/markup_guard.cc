@@ -41,7 +41,12 @@ bool isAllowedReference(std::string_view name) {
 ProblemList MarkupGuard::run(std::size_t begin) {
   at_ = begin;
   while (at_ < text_.size()) {
-    if (problems_.size() >= kMostProblems) return std::move(problems_);
+    if (problems_.size() > kMostProblems) return std::move(problems_);
+    if (here() != '<' && open_.empty() && !isSpace(here())) {
+      const std::string_view rest = text_.substr(at_, text_.find_first_of("<\r\n", at_) - at_);
+      report(at_, fmt::format("the text \"{}\" stands outside the root element", shown(rest)), "remove it");
+      return std::move(problems_);
+    }
     if (here() != '<') {
       passCharacter();
     } else if (!passMarkup()) {
@@ -72,7 +77,13 @@ int MarkupGuard::lineAt(std::size_t offset) {
 }
 
 void MarkupGuard::report(std::size_t offset, std::string message, std::string remedy) {
-  problems_.add({{file_, lineAt(offset)}, "", std::move(message), std::move(remedy)});
+  if (problems_.size() > kMostProblems) return;
+  const Place place{file_, lineAt(offset)};
+  if (problems_.size() == kMostProblems) {
+    problems_.add(tooMany(place));
+  } else {
+    problems_.add({place, "", std::move(message), std::move(remedy)});
+  }
 }
 
 void MarkupGuard::passCharacter() {
@@ -92,7 +103,7 @@ void MarkupGuard::passCharacter() {
 bool MarkupGuard::passMarkup() {
   const std::string_view rest = text_.substr(at_);
   if (rest.substr(0, 4) == "<!--") return passComment();
-  if (rest.substr(0, 9) == "<![CDATA[") return passUntil("]]>", 9, "<![CDATA[");
+  if (rest.substr(0, 9) == "<![CDATA[") return passSection();
   if (rest.substr(0, 2) == "<!") {
     report(at_, "document types and entity declarations (\"<!\") are not allowed",
            "remove it; the program knows its files without");
@@ -114,6 +125,12 @@ bool MarkupGuard::passUntil(std::string_view close, std::size_t opening, std::st
   }
   at_ = end + close.size();
   return true;
+}
+
+bool MarkupGuard::passSection() {
+  if (!open_.empty()) return passUntil("]]>", 9, "<![CDATA[");
+  report(at_, "\"<![CDATA[\" stands outside the root element", "remove it");
+  return false;
 }
 
 bool MarkupGuard::passComment() {
@@ -169,6 +186,10 @@ bool MarkupGuard::passOpeningTag() {
     report(begin, "\"<\" begins no tag", "write \"&lt;\" for the character itself");
     return false;
   }
+  if (open_.empty() && !std::exchange(root_, name).empty()) {
+    report(begin, fmt::format("a second root element <{}> stands in the file", shown(name)), "one file holds one");
+    return false;
+  }
   std::set<std::string_view> attributes;
   for (;;) {
     const bool spaced = isSpace(here());
@@ -191,6 +212,10 @@ bool MarkupGuard::passOpeningTag() {
     if (!attributes.insert(attribute).second) {
       report(attribute_begin, fmt::format("<{}>: attribute \"{}\" stands twice", shown(name), shown(attribute)),
              "remove one of them");
+    }
+    if (attributes.size() > kMostAttributes) {
+      report(begin, fmt::format("<{}> has more than {} attributes", shown(name), kMostAttributes), "remove some");
+      return false;
     }
     if (!passAttribute(name, attribute)) return false;
   }

@@ -12,8 +12,12 @@ namespace vehicle {
 /// Elements stand at most so deep in each other; our files need five.
 inline constexpr std::size_t kMostDepth = 32;
 
+/// More attributes than any element of ours has. tinyxml2 compares each with all before it: a megabyte of them
+/// would take minutes.
+inline constexpr std::size_t kMostAttributes = 64;
+
 /// Walks once through a text from markup to markup and holds it against XML 1.0: tags of the right form that
-/// open and close in pairs, attributes once each and in quotation marks, comments and CDATA closed, no entities
+/// open and close in pairs below one root, attributes once each and in quotation marks, comments and CDATA closed, no entities
 /// but the five of XML, and neither document types nor processing instructions.
 ///
 /// Goes on after what is wrong by itself, and ends where the rest could no longer be understood.
@@ -35,6 +39,7 @@ class MarkupGuard {
   void passCharacter();
   bool passMarkup();
   bool passUntil(std::string_view close, std::size_t opening, std::string_view name);
+  bool passSection();
   bool passComment();
   bool passClosingTag();
   bool passOpeningTag();
@@ -49,6 +54,7 @@ class MarkupGuard {
   std::size_t counted_ = 0;  // bytes whose lines are in line_
   int line_ = 1;
   std::vector<OpenTag> open_;
+  std::string_view root_;    // empty before the root element
   ProblemList problems_;
 };
 

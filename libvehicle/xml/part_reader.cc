@@ -48,8 +48,7 @@ void PartReader::report(int line, const std::string& path, std::string message, 
     const Problem problem = {{file_, line}, path, std::move(message), std::move(remedy)};
     problems_.add(problem);
   } else if (problems_.size() == kMostProblems) {
-    problems_.add({{file_, line}, "", fmt::format("there are more than {} problems", kMostProblems),
-                   "mend these first; the others are told then"});
+    problems_.add(tooMany({file_, line}));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "libvehicle/xml/attribute_value.h"
 #include "libvehicle/xml/document.h"
 #include "libvehicle/xml/part_reader.h"
+#include "libvehicle/xml/text_guard.h"
 #include "libvehicle/xml/message_text.h"
 
 namespace vehicle {
@@ -32,6 +33,15 @@ Problem unknownRoot(const tinyxml2::XMLElement& root, const std::string& file_na
           fmt::format("the root element <{}> is unknown", shown(root.Value())),
           nearest ? fmt::format("did you mean <{}>?", *nearest)
                   : fmt::format("a file holds one of <{}>", joined(names, ">, <"))};
+}
+
+/// The first problems of very many: who sees thousands has opened the wrong file.
+ProblemList firstOf(const ProblemList& all) {
+  if (all.size() <= kMostProblems + 1) return all;
+  ProblemList first;
+  for (std::size_t i = 0; i < kMostProblems; ++i) first.add(all[i]);
+  first.add(tooMany(all[kMostProblems].place));
+  return first;
 }
 
 template <class Definition>
@@ -61,6 +71,7 @@ Outcome<Definition> readDefinition(std::string_view text, const std::string& fil
   outcome.problems = reader.takeProblems();
   if (reader.isComplete()) outcome.problems.append(check(definition));
   outcome.problems.sortByPlace();
+  outcome.problems = firstOf(outcome.problems);
   if (outcome.problems.empty()) outcome.value = std::move(definition);
   return outcome;
 }

@@ -68,6 +68,14 @@ ProblemList single(std::string_view file_name, int line, std::string message, st
 
 }  // namespace
 
+Problem tooMany(const Place& place) {
+  Problem problem;
+  problem.place = place;
+  problem.message = fmt::format("there are more than {} problems", kMostProblems);
+  problem.remedy = "mend these first; the others are told then";
+  return problem;
+}
+
 ProblemList guardText(std::string_view text, const std::string& file_name) {
   if (text.size() > kMostBytes) {
     return single(file_name, 0, fmt::format("the file is larger than {} KiB", kMostBytes / 1024),

@@ -15,6 +15,9 @@ inline constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 /// The most problems that are told of one file; one more line says that there are others.
 inline constexpr std::size_t kMostProblems = 200;
 
+/// That one line.
+[[nodiscard]] Problem tooMany(const Place& place);
+
 /// Judges the text before any XML library sees it: size, UTF-8, no control characters, and the form of its
 /// markup (markup_guard.h). An XML library would expand, skip or repair much of this without a word, and
 /// differently from the next library.

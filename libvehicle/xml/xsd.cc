@@ -62,8 +62,7 @@ class XsdWriter {
     for (const FileKind kind : allFileKinds()) {
       out += fmt::format("  <xs:element name=\"{0}\" type=\"{0}\"/>\n", schemaOf(kind).name);
     }
-    out += "\n" + simpleTypes() + complex_;
-    return out + "</xs:schema>\n";
+    return fmt::format("{}\n{}{}</xs:schema>\n", out, simpleTypes(), complex_);
   }
 
  private:
@@ -74,7 +73,7 @@ class XsdWriter {
   }
 
   std::string simpleTypes() const {
-    std::string out = simpleType("name", R"(<xs:pattern value="[A-Za-z0-9][A-Za-z0-9_\-]*"/>)");
+    std::string out = simpleType("name", R"(<xs:pattern value="[A-Za-z0-9][A-Za-z0-9_\-]{0,63}"/>)");
     out += simpleType("file", R"(<xs:pattern value="\s*\S.*"/>)");
     out += simpleType("format", fmt::format("<xs:enumeration value=\"{}\"/>", kFileFormat));
     for (const auto& [dimension, sign] : quantities_) {

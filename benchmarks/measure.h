@@ -1,0 +1,60 @@
+#pragma once
+
+#include <ctime>
+
+#include <benchmark/benchmark.h>
+
+#include "benchmarks/paper_case.h"
+
+namespace vehicle::bench {
+
+/// Processor time of this thread [s]: what a neighbour on the machine takes away does not count.
+inline double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Times solve() (a whole run, giving the state at its end) after checking that it solves the same problem to
+/// the error that the comparison states.
+/// @param steps  the cost is reported as ns per one of them; 1: ns of a whole run
+template <class Solve>
+void measure(benchmark::State& state, const PaperCase& problem, double allowed_error, long steps, Solve solve) {
+  const double error = problem.errorOf(solve());
+  if (!(error <= allowed_error)) {
+    state.SkipWithError("error above what this comparison states: not the same problem");
+    return;
+  }
+  double seconds = 0.0;
+  for (auto _ : state) {
+    const double begin = threadSeconds();
+    benchmark::DoNotOptimize(solve());
+    const double took = threadSeconds() - begin;
+    state.SetIterationTime(took);
+    seconds += took;
+  }
+  state.counters["error"] = error;
+  state.counters["ns_per_step"] = 1e9 * seconds / static_cast<double>(state.iterations()) / static_cast<double>(steps);
+}
+
+/// Registers a solver under "problem/solver" with the repetitions a median needs.
+template <class Function>
+void compare(const char* name, Function function) {
+  benchmark::RegisterBenchmark(name, function)->UseManualTime()->Repetitions(9)->MinTime(0.05)->ReportAggregatesOnly(true);
+}
+
+// Our own solvers on the paper's case, so that every program measures them in the same run as its peer.
+
+/// Ten seconds in steps of 1 ms; the error that each of the fixed-step methods stays below.
+inline constexpr long kSteps = 10'000;
+inline constexpr double kStep = 1e-3;           // [s]
+inline constexpr double kRk4Error = 5e-8;       // of peak, at 1 ms
+inline constexpr double kAdaptiveError = 1e-8;  // of peak
+
+[[nodiscard]] State solveRk4(const PaperCase& problem);          // by type, input in blocks
+[[nodiscard]] State solveRk4Virtual(const PaperCase& problem);   // any System
+[[nodiscard]] State solveRk4OneSincos(const PaperCase& problem); // by type, fed by OneSincosRail
+[[nodiscard]] State solveExact(const PaperCase& problem);        // a propagation every 1 ms
+[[nodiscard]] State solveDopri5(const PaperCase& problem);       // at the tolerance that gives kAdaptiveError
+
+}  // namespace vehicle::bench

@@ -44,18 +44,24 @@ class FlatRhs {
 
   explicit FlatRhs(const FlatParameters& parameters) : p_(coefficientsOf(parameters)) {}
 
-  /// @param x  (8)   @param u  (8)   @param dx  (8), must not overlap x or u
+  /// @param x  (8)   @param u  (8)   @param dx  (8)
   [[gnu::always_inline]] inline void operator()(const double* x, const double* u, double* dx) const {
     const FlatState<double> s{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
     const FlatRail<double> rail{u[0], u[1], u[2], u[3], u[4], u[5], u[6], u[7]};
+    // All four before the first store: dx might overlap p_ for all the compiler knows, and what the equations share
+    // would be computed again after each store.
+    const double bounce = carbodyBounce(p_, s);           // (2)
+    const double pitch = carbodyPitch(p_, s);             // (3)
+    const double front = frontBogieBounce(p_, s, rail);   // (4)
+    const double rear = rearBogieBounce(p_, s, rail);     // (5)
     dx[0] = s.dzk;
     dx[1] = s.dphi;
     dx[2] = s.dz1;
     dx[3] = s.dz2;
-    dx[4] = carbodyBounce(p_, s);            // (2)
-    dx[5] = carbodyPitch(p_, s);             // (3)
-    dx[6] = frontBogieBounce(p_, s, rail);   // (4)
-    dx[7] = rearBogieBounce(p_, s, rail);    // (5)
+    dx[4] = bounce;
+    dx[5] = pitch;
+    dx[6] = front;
+    dx[7] = rear;
   }
 
  private:

@@ -1,0 +1,28 @@
+#include "tests/integrate/allocations.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> count{0};
+}
+
+long vehicle::test::allocations() { return count; }
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+void* operator new(std::size_t size) {
+  ++count;
+  if (void* block = std::malloc(size)) return block;
+  throw std::bad_alloc();
+}
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+#else
+// operator new ends in malloc, and Eigen calls malloc alone: counting there sees both.
+extern "C" void* __libc_malloc(std::size_t size);
+extern "C" void* malloc(std::size_t size) {
+  ++count;
+  return __libc_malloc(size);
+}
+#endif

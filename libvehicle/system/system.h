@@ -27,7 +27,8 @@ class System {
   [[nodiscard]] virtual const std::vector<Channel>& outputs() const = 0;     // columns of a result after `time`
   [[nodiscard]] int size() const { return static_cast<int>(states().size()); }
 
-  /// dx/dt = f(x, u). Never allocates in linear forms. Not to be called concurrently on one object unless the form says so.
+  /// dx/dt = f(x, u). Never allocates in linear forms. Not to be called concurrently on one object unless the
+  /// form says so.
   /// @param x   (n)   @param u  (2 w) heights, rates   @param dx  (n)
   virtual void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const = 0;
 

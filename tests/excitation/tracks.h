@@ -26,6 +26,8 @@ inline Ramp ramp(double rise, double length, double start) {
   return made;
 }
 
+inline Topology paperTopology() { return topologyOf(paperVehicle()); }
+
 /// A scenario of that track, `duration` seconds at 20 m/s, a sample every 5 ms.
 inline Scenario scenarioOf(const Track& track, double duration) {
   Scenario made = paperScenario(track.history);

@@ -10,6 +10,9 @@
 
 namespace vehicle::test {
 
+/// The state as runs and observers pass it.
+using States = std::span<const double>;
+
 /// dx/dt as an expression that both a static stepper and a System can call.
 using Expression = std::function<void(const double* x, const double* u, double* dx)>;
 

@@ -16,7 +16,7 @@ struct ByRk4 {
   // Undamped, rk4 loses (w h)^6 / 72 of the energy a step: 2e-12 x 3000 steps at w h = 8 ms.
   static constexpr double kEnergyError = 1e-9;
   static constexpr double kRestartError = 1e-15;  // the same steps; only the phases of the rail round differently
-  static Statistics run(const System& s, const Input& i, const Schedule& g, std::span<const double> x, const Observer& o) {
+  static Statistics run(const System& s, const Input& i, const Schedule& g, States x, const Observer& o) {
     return runRk4(s, i, g, {.step = 1e-3}, x, o);
   }
 };
@@ -26,7 +26,7 @@ struct ByDopri5 {
   static constexpr double kError = 1e-8;  // what rtol 1e-10, atol 1e-12 m promises at amplitudes of mm and mm/s
   static constexpr double kEnergyError = 1e-8;
   static constexpr double kRestartError = 1e-8;  // other steps
-  static Statistics run(const System& s, const Input& i, const Schedule& g, std::span<const double> x, const Observer& o) {
+  static Statistics run(const System& s, const Input& i, const Schedule& g, States x, const Observer& o) {
     return runDopri5(s, i, g, {.relative = 1e-10, .absolute = 1e-12}, x, o);
   }
 };
@@ -36,7 +36,7 @@ struct ByExact {
   static constexpr double kError = 1e-13;  // rounding only
   static constexpr double kEnergyError = 2e-13;
   static constexpr double kRestartError = 1e-13;
-  static Statistics run(const System& s, const Input& i, const Schedule& g, std::span<const double> x, const Observer& o) {
+  static Statistics run(const System& s, const Input& i, const Schedule& g, States x, const Observer& o) {
     return runExact(s, i, g, x, o);
   }
 };
@@ -121,7 +121,8 @@ TYPED_TEST(EveryMethod, AnObserverCanEndTheRun) {
     EXPECT_EQ(seen, last);
     EXPECT_TRUE(statistics.stopped);
   }
-  EXPECT_FALSE(TypeParam::run(problem.system, problem.input, Schedule(problem.input, 0.01), problem.start, kIgnore).stopped);
+  const Schedule schedule(problem.input, 0.01);
+  EXPECT_FALSE(TypeParam::run(problem.system, problem.input, schedule, problem.start, kIgnore).stopped);
 }
 
 TYPED_TEST(EveryMethod, AnUndampedMassKeepsItsEnergy) {
@@ -238,7 +239,8 @@ TYPED_TEST_SUITE(StageMethods, Stages, MethodNames);
 // A right-hand side that breaks at x > 0.5, from NaN or from a division by zero.
 TYPED_TEST(StageMethods, NanOrInfiniteSlopesAreAnErrorWithTheTimeReached) {
   for (const double broken : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    const ExpressionSystem ramp(1, 1, [=](const double* x, const double*, double* dx) { dx[0] = x[0] > 0.5 ? broken : 1.0; });
+    const ExpressionSystem ramp(
+        1, 1, [=](const double* x, const double*, double* dx) { dx[0] = x[0] > 0.5 ? broken : 1.0; });
     const Input input = caseOf("flat", bounce(), flatRail(1.0)).input;
     const std::vector<double> start = {0.0};
     try {

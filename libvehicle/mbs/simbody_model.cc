@@ -308,6 +308,8 @@ void SimbodyModel::advanceTo(double t) {
 
 void SimbodyModel::passKink() {
   SimTK::Integrator& integrator = *parts_->integrator;
+  // Simbody 3.7 evaluates the first stage when a step begins, so it holds nothing stale here; that is its habit, not
+  // its promise.
   integrator.updAdvancedState().invalidateAllCacheAtOrAbove(SimTK::Stage::Time);
   // A Runge-Kutta step carries nothing over but its size, which this keeps: the vehicle's pace is the same.
   integrator.reinitialize(SimTK::Stage::Time, false);

@@ -106,8 +106,9 @@ TEST(SimbodyRun, TheStepAfterAKinkStartsFromTheRightHandLimit) {
   const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
   const BaseExcitedMass left(0.0, 0.0, 0.0, amplitude, w, 0.02);
   double worst = 0.0;
+  const std::vector<double> x0(2, 0.0);
   const Statistics statistics = form->runSimbody(
-      input, Schedule(input, 1e-3), 0.9, std::vector<double>(2, 0.0), [&](int, int, double t, std::span<const double> x) {
+      input, Schedule(input, 1e-3), 0.9, x0, [&](int, int, double t, std::span<const double> x) {
         double expected = 0.0;
         if (t > start) expected = BaseExcitedMass(0.0, 0.0, 0.0, amplitude, w, t - start).z;
         if (t > end) expected = BaseExcitedMass(left.z, left.v, 0.0, 0.0, w, t - end).z;

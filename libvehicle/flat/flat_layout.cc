@@ -213,7 +213,7 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
                            double value, const std::string& model_name, double model, const char* unit) {
     if (std::abs(value - model) <= kEqual * std::max(std::abs(value), std::abs(model))) return;
     problems.add({place, pathOfPart(element, name),
-                  fmt::format("has {} {:g} {}, \"{}\" has {:g} {}; the printed equations know one value", what, value,
+                  fmt::format("has {} {:.10g} {}, \"{}\" has {:.10g} {}; the printed equations know one value", what, value,
                               unit, model_name, model, unit),
                   remedy});
   };
@@ -235,7 +235,7 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
   const double lr = -behind.arm_upper;
   if (std::abs(lf - lr) > kEqual * std::max(std::abs(lf), std::abs(lr))) {
     problems.add({vehicle.suspensions[at(layout.secondary[1])].origin, pathOfPart("suspension", behind.name),
-                  fmt::format("stands {:g} m behind the carbody's centre of gravity, \"{}\" {:g} m ahead; the printed "
+                  fmt::format("stands {:.10g} m behind the carbody's centre of gravity, \"{}\" {:.10g} m ahead; the printed "
                               "equations know one lever arm",
                               lr, ahead.name, lf),
                   remedy});

@@ -43,8 +43,10 @@ SecondOrder assemble(const Topology& topology, const Rest& rest) {
   }
   for (const TopologySuspension& suspension : topology.suspensions) {
     const Elongation elongation = elongationOf(suspension, topology);
-    made.K += suspension.stiffness * elongation.row.transpose() * elongation.row;
-    made.C += suspension.damping * elongation.row.transpose() * elongation.row;
+    // r^T r first: a factor drawn into one side would round entry (i, j) unlike entry (j, i).
+    const Eigen::MatrixXd square = elongation.row.transpose() * elongation.row;
+    made.K += suspension.stiffness * square;
+    made.C += suspension.damping * square;
     if (elongation.channel < 0) continue;
     made.B0.col(elongation.channel) += suspension.stiffness * elongation.row.transpose();
     made.B1.col(elongation.channel) += suspension.damping * elongation.row.transpose();

@@ -12,7 +12,7 @@
 
 #include "libvehicle/flat/first_order.h"
 #include "libvehicle/flat/flat_form.h"
-#include "tests/flat/random_state.h"
+#include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -104,7 +104,8 @@ TEST(EquationSeven, HasTheMatricesOfTwoToFive) {
       const double a = seven.A[row][col];
       EXPECT_WITHIN(matrices.A(kPlace[row], kPlace[col]), a, 1e-15 * std::abs(a)) << row << ' ' << col;
       const double b = seven.B[row][col];
-      EXPECT_WITHIN(matrices.B(kPlace[row], static_cast<Eigen::Index>(col)), b, 1e-15 * std::abs(b)) << row << ' ' << col;
+      EXPECT_WITHIN(matrices.B(kPlace[row], static_cast<Eigen::Index>(col)), b, 1e-15 * std::abs(b))
+          << row << ' ' << col;
     }
   }
 }

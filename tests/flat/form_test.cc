@@ -13,7 +13,9 @@
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/flat/flat_layout.h"
 #include "libvehicle/statics/rest.h"
-#include "tests/flat/random_state.h"
+#include "tests/integrate/allocations.h"
+#include "tests/support/columns.h"
+#include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -21,26 +23,6 @@ namespace vehicle::test {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
-
-/// All columns of a form at one instant, asked for by name.
-class Columns {
- public:
-  Columns(const System& form, const std::vector<double>& x, const std::vector<double>& u)
-      : form_(form), values_(form.outputs().size(), std::nan("")) {
-    form.output(x, u, values_);
-  }
-  double operator[](const std::string& name) const {
-    const auto& channels = form_.outputs();
-    const auto found = std::find_if(channels.begin(), channels.end(), [&](const Channel& c) { return c.name == name; });
-    if (found == channels.end()) throw std::invalid_argument("no column " + name);
-    return values_[static_cast<std::size_t>(found - channels.begin())];
-  }
-  const std::vector<double>& all() const { return values_; }
-
- private:
-  const System& form_;
-  std::vector<double> values_;
-};
 
 Point pointOn(std::string name, std::string body_name, double x) {
   Point made;
@@ -268,6 +250,16 @@ TEST(FlatForm, LinearIsTheRightHandSide) {
       EXPECT_WITHIN((dx - product).norm(), 0.0, 1e-14 * dx.norm());  // the same products summed in another order
     }
   }
+}
+
+TEST(FlatForm, DerivativeAndOutputNeverAllocate) {
+  const auto form = buildFlatForm(asymmetricVehicle(), kGravity);
+  const RandomState state = randomStates(1, 8, 4).front();
+  std::vector<double> dx(8), y(form->outputs().size());
+  const long before = allocations();
+  form->derivative(state.x, state.u, dx);
+  form->output(state.x, state.u, y);
+  EXPECT_EQ(allocations(), before);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ TEST(FlatMisfits, NamePitchingBogiesAndTheirLines) {
   vehicle.bodies[2].origin.file = "coach.xml";
   vehicle.bodies[2].origin.line = 43;
   EXPECT_EQ(misfitsOf(vehicle),
-            "coach.xml:41: error: <vehicle><body name=\"front_bogie\">: pitches; the flat form's bogies move in z only; "
+            "coach.xml:41: error: <vehicle><body name=\"front_bogie\">: pitches; the flat form's bogies move in z "
+            "only; "
             "write motion=\"z\", or use the form matrix\n"
             "coach.xml:43: error: <vehicle><body name=\"rear_bogie\">: pitches; the flat form's bogies move in z only; "
             "write motion=\"z\", or use the form matrix\n");
@@ -67,7 +68,8 @@ TEST(FlatMisfits, NameTheCarbodyThatOnlyPitches) {
   Vehicle vehicle = paperVehicle();
   vehicle.bodies[0].motion = {Motion::kPitch};
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"carbody\">: moves in pitch only; the flat form's carbody moves in z and pitch; "
+            "error: <vehicle><body name=\"carbody\">: moves in pitch only; the flat form's carbody moves in z and "
+            "pitch; "
             "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix\n");
 }
 
@@ -102,7 +104,8 @@ TEST(FlatMisfits, NameTheBogieWithOneAxle) {
   vehicle.wheelsets.pop_back();
   vehicle.suspensions.pop_back();
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"rear_bogie\">: stands on wheelsets by 1 suspension (\"primary_3\"); the flat form "
+            "error: <vehicle><body name=\"rear_bogie\">: stands on wheelsets by 1 suspension (\"primary_3\"); the "
+            "flat form "
             "has two axles a bogie; use the form matrix\n");
 }
 
@@ -120,7 +123,8 @@ TEST(FlatMisfits, NameTheBogieThatStandsTwiceOnAWheelset) {
   named(vehicle.suspensions, "primary_2").lower = "wheelset_1";
   vehicle.wheelsets.erase(vehicle.wheelsets.begin() + 1);
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"front_bogie\">: stands twice on the wheelset \"wheelset_1\"; the flat form has two "
+            "error: <vehicle><body name=\"front_bogie\">: stands twice on the wheelset \"wheelset_1\"; the flat form "
+            "has two "
             "axles a bogie; use the form matrix\n");
 }
 
@@ -136,9 +140,11 @@ TEST(FlatMisfits, NameTheSuspensionFromCarbodyToWheelset) {
   Vehicle vehicle = paperVehicle();
   vehicle.suspensions.push_back(suspension("strut", "primary", "carbody", "wheelset_1", 5.225));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><suspension name=\"strut\">: joins the carbody \"carbody\" to a wheelset; the flat form's stands "
+            "error: <vehicle><suspension name=\"strut\">: joins the carbody \"carbody\" to a wheelset; the flat "
+            "form's stands "
             "on bogies; use the form matrix\n"
-            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"carbody\"); the flat form's "
+            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"carbody\"); the "
+            "flat form's "
             "wheelsets carry one bogie each; use the form matrix\n");
 }
 
@@ -147,7 +153,8 @@ TEST(FlatMisfits, NameTheWheelsetUnderTwoBogies) {
   named(vehicle.suspensions, "primary_3").lower = "wheelset_2";
   vehicle.wheelsets.erase(vehicle.wheelsets.begin() + 2);
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><wheelset name=\"wheelset_2\">: carries 2 bodies (\"front_bogie\", \"rear_bogie\"); the flat "
+            "error: <vehicle><wheelset name=\"wheelset_2\">: carries 2 bodies (\"front_bogie\", \"rear_bogie\"); the "
+            "flat "
             "form's wheelsets carry one bogie each; use the form matrix\n");
 }
 
@@ -156,9 +163,11 @@ TEST(FlatMisfits, NameTheSecondCarbodyAndBodiesOfAThirdFloor) {
   vehicle.bodies.push_back(body("cab", 2e3, 6.0, std::nullopt, {Motion::kZ}));
   vehicle.suspensions.push_back(suspension("cab_mount", "primary", "cab", "front_bogie", 6.0));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"cab\">: is a carbody beside \"carbody\"; the flat form has one carbody; use the "
+            "error: <vehicle><body name=\"cab\">: is a carbody beside \"carbody\"; the flat form has one carbody; use "
+            "the "
             "form matrix\n"
-            "error: <vehicle><body name=\"front_bogie\">: carries by 2 suspensions (\"secondary_front\", \"cab_mount\"); the "
+            "error: <vehicle><body name=\"front_bogie\">: carries by 2 suspensions (\"secondary_front\", "
+            "\"cab_mount\"); the "
             "flat form has one secondary a bogie; use the form matrix\n");
 }
 
@@ -167,9 +176,11 @@ TEST(FlatMisfits, NameTheBodyThatIsNoBogie) {
   vehicle.bodies.push_back(body("tender", 2e3, 9.0, std::nullopt, {Motion::kZ}));
   vehicle.suspensions.push_back(suspension("tender_spring", "primary", "tender", "wheelset_1", 9.0));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"tender\">: is neither the carbody nor a bogie under it; the flat form has no other "
+            "error: <vehicle><body name=\"tender\">: is neither the carbody nor a bogie under it; the flat form has "
+            "no other "
             "body; use the form matrix\n"
-            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"tender\"); the flat form's "
+            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"tender\"); the flat "
+            "form's "
             "wheelsets carry one bogie each; use the form matrix\n");
 }
 
@@ -177,9 +188,11 @@ TEST(FlatMisfits, NameTheSuspensionBetweenBogies) {
   Vehicle vehicle = paperVehicle();
   vehicle.suspensions.push_back(suspension("link", "primary", "front_bogie", "rear_bogie", 0.0));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><suspension name=\"link\">: joins the bogie \"front_bogie\" to another body; the flat form's "
+            "error: <vehicle><suspension name=\"link\">: joins the bogie \"front_bogie\" to another body; the flat "
+            "form's "
             "stand on wheelsets; use the form matrix\n"
-            "error: <vehicle><body name=\"rear_bogie\">: carries by 2 suspensions (\"secondary_rear\", \"link\"); the flat "
+            "error: <vehicle><body name=\"rear_bogie\">: carries by 2 suspensions (\"secondary_rear\", \"link\"); the "
+            "flat "
             "form has one secondary a bogie; use the form matrix\n");
 }
 
@@ -192,7 +205,8 @@ TEST(FlatMisfits, NameTheVehicleWithoutBogies) {
   vehicle.suspensions = {suspension("s_ahead", "spring", "deck", "ahead", 2.0),
                          suspension("s_behind", "spring", "deck", "behind", -2.0)};
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle name=\"trolley\">: has no body that stands on other bodies; the flat form is a carbody on two "
+            "error: <vehicle name=\"trolley\">: has no body that stands on other bodies; the flat form is a carbody "
+            "on two "
             "bogies; use the form matrix\n");
 }
 
@@ -206,34 +220,42 @@ TEST(FlatMisfits, OfAContradictoryVehicleAreItsProblems) {
 TEST(PrintedVariants, RefuseAnAsymmetricVehicleNamingWhatDiffers) {
   EXPECT_EQ(
       misfitsOf(asymmetricVehicle(), FlatVariant::kPrinted7),
-      "error: <vehicle><body name=\"rear_bogie\">: has mass 7500 kg, \"front_bogie\" has 10200 kg; the printed equations "
+      "error: <vehicle><body name=\"rear_bogie\">: has mass 7500 kg, \"front_bogie\" has 10200 kg; the printed "
+      "equations "
       "know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"secondary_rear\">: has stiffness 1.9e+06 N/m, \"secondary_front\" has 3.1e+06 N/m; "
+      "error: <vehicle><suspension name=\"secondary_rear\">: has stiffness 1900000 N/m, \"secondary_front\" has "
+      "3100000 N/m; "
       "the printed equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"secondary_rear\">: has damping 85000 N*s/m, \"secondary_front\" has 60000 N*s/m; "
+      "error: <vehicle><suspension name=\"secondary_rear\">: has damping 85000 N*s/m, \"secondary_front\" has 60000 "
+      "N*s/m; "
       "the printed equations know one value; give both the same, or use the form flat\n"
       "error: <vehicle><suspension name=\"secondary_rear\">: stands 4.8 m behind the carbody's centre of gravity, "
       "\"secondary_front\" 3.7 m ahead; the printed equations know one lever arm; give both the same, or use the form "
       "flat\n"
-      "error: <vehicle><suspension name=\"primary_2\">: has stiffness 3.4e+06 N/m, \"primary_1\" has 2.7e+06 N/m; the "
+      "error: <vehicle><suspension name=\"primary_2\">: has stiffness 3400000 N/m, \"primary_1\" has 2700000 N/m; the "
       "printed equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"primary_2\">: has damping 33000 N*s/m, \"primary_1\" has 21000 N*s/m; the printed "
+      "error: <vehicle><suspension name=\"primary_2\">: has damping 33000 N*s/m, \"primary_1\" has 21000 N*s/m; the "
+      "printed "
       "equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"primary_3\">: has stiffness 2.2e+06 N/m, \"primary_1\" has 2.7e+06 N/m; the "
+      "error: <vehicle><suspension name=\"primary_3\">: has stiffness 2200000 N/m, \"primary_1\" has 2700000 N/m; the "
       "printed equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"primary_3\">: has damping 45000 N*s/m, \"primary_1\" has 21000 N*s/m; the printed "
+      "error: <vehicle><suspension name=\"primary_3\">: has damping 45000 N*s/m, \"primary_1\" has 21000 N*s/m; the "
+      "printed "
       "equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"primary_4\">: has stiffness 3.9e+06 N/m, \"primary_1\" has 2.7e+06 N/m; the "
+      "error: <vehicle><suspension name=\"primary_4\">: has stiffness 3900000 N/m, \"primary_1\" has 2700000 N/m; the "
       "printed equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"primary_4\">: has damping 12000 N*s/m, \"primary_1\" has 21000 N*s/m; the printed "
+      "error: <vehicle><suspension name=\"primary_4\">: has damping 12000 N*s/m, \"primary_1\" has 21000 N*s/m; the "
+      "printed "
       "equations know one value; give both the same, or use the form flat\n");
 }
 
 TEST(PrintedVariants, RefuseStaticLoadsAtHeights) {
   EXPECT_EQ(misfitsOf(heightsVehicle(0.5), FlatVariant::kLiteral),
-            "error: <vehicle><suspension name=\"secondary_front\">: ends 0.5 m below the carbody's centre of gravity; the "
+            "error: <vehicle><suspension name=\"secondary_front\">: ends 0.5 m below the carbody's centre of gravity; "
+            "the "
             "printed equations carry no static loads at heights; leave out the heights, or use the form flat\n"
-            "error: <vehicle><suspension name=\"secondary_rear\">: ends 0.5 m below the carbody's centre of gravity; the "
+            "error: <vehicle><suspension name=\"secondary_rear\">: ends 0.5 m below the carbody's centre of gravity; "
+            "the "
             "printed equations carry no static loads at heights; leave out the heights, or use the form flat\n");
 }
 

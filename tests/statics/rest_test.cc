@@ -238,7 +238,8 @@ TEST(PreloadsThatDoNotBalance, AreRefusedNamingTheBody) {
   named(vehicle.suspensions, "secondary_front").preload = 200e3;
   named(vehicle.suspensions, "secondary_rear").preload = 200e3;
   EXPECT_EQ(messageOf(vehicle),
-            "error: <vehicle><body name=\"carbody\">: springs and preloads leave a vertical force of -159170 N at rest; "
+            "error: <vehicle><body name=\"carbody\">: springs and preloads leave a vertical force of -159170 N at "
+            "rest; "
             "the weight must be carried; give the springs under it a stiffness, or leave out one of the preloads\n");
 }
 
@@ -260,7 +261,8 @@ TEST(CentreOfGravityBeyondTheWheels, IsRefusedNamingTheLiftedWheelset) {
   vehicle.suspensions = {suspension("s_ahead", "spring", "deck", "ahead", 2.0),
                          suspension("s_behind", "spring", "deck", "behind", -2.0)};
   EXPECT_EQ(messageOf(vehicle),
-            "error: <vehicle><wheelset name=\"behind\">: its static wheel load would be -2452.5 N; a rail can only push; "
+            "error: <vehicle><wheelset name=\"behind\">: its static wheel load would be -2452.5 N; a rail can only "
+            "push; "
             "move the centre of gravity between the wheelsets, or give its load\n");
 }
 

@@ -29,9 +29,7 @@ std::string written(const AttributeRow& row, std::string_view text) {
   return fmt::format("{}=\"{}\"", row.name, shown(text));
 }
 
-std::string listed(const std::vector<std::string>& choices) {
-  return fmt::format("\"{}\"", joined(choices, "\", \""));
-}
+std::string listed(const std::vector<std::string>& choices) { return fmt::format("\"{}\"", joined(choices, "\", \"")); }
 
 std::string chooseRemedy(std::string_view word, const std::vector<std::string>& choices) {
   if (const auto nearest = suggestion(word, choices)) return fmt::format("did you mean \"{}\"?", *nearest);
@@ -61,7 +59,8 @@ AttributeReading readQuantity(const AttributeRow& row, std::string_view text) {
   if (!parsed.si || !std::isfinite(*parsed.si)) {
     return {placeholderOf(row), fmt::format("{} {}", written(row, text), parsed.message), parsed.remedy};
   }
-  const bool in_range = row.sign == Sign::kAny || *parsed.si > 0.0 || (row.sign == Sign::kNotNegative && *parsed.si == 0.0);
+  const bool in_range =
+      row.sign == Sign::kAny || *parsed.si > 0.0 || (row.sign == Sign::kNotNegative && *parsed.si == 0.0);
   if (!in_range) return {placeholderOf(row), written(row, text), fmt::format("must be {}", rangeOf(row))};
   return {*parsed.si, "", ""};
 }
@@ -100,9 +99,9 @@ AttributeReading readChoiceList(const AttributeRow& row, std::string_view text) 
     if (index >= 0 && !repeated) {
       indices.push_back(index);
     } else if (reading.message.empty()) {
-      reading.message = index >= 0 ? fmt::format("{}: \"{}\" stands twice", written(row, text), shown(word))
-                                   : fmt::format("{}: \"{}\" is none of {}", written(row, text), shown(word),
-                                                 listed(row.choices));
+      reading.message =
+          index >= 0 ? fmt::format("{}: \"{}\" stands twice", written(row, text), shown(word))
+                     : fmt::format("{}: \"{}\" is none of {}", written(row, text), shown(word), listed(row.choices));
       reading.remedy = index >= 0 ? "write it once" : chooseRemedy(word, row.choices);
     }
   }
@@ -120,40 +119,60 @@ AttributeReading readChoiceList(const AttributeRow& row, std::string_view text) 
 
 Value placeholderOf(const AttributeRow& row) {
   switch (row.kind) {
-    case ValueKind::kQuantity: return 1.0;
-    case ValueKind::kInteger: return row.least;
-    case ValueKind::kChoice: return 0;
-    case ValueKind::kChoiceList: return readChoiceList(row, "").value;
-    case ValueKind::kFile: return "file.xml";
-    default: return {};
+    // Nothing as far as that is allowed: a phase of 0 makes no jump, a mass must be something.
+    case ValueKind::kQuantity:
+      return row.sign == Sign::kPositive ? 1.0 : 0.0;
+    case ValueKind::kInteger:
+      return row.least;
+    case ValueKind::kChoice:
+      return 0;
+    case ValueKind::kChoiceList:
+      return readChoiceList(row, "").value;
+    case ValueKind::kFile:
+      return "file.xml";
+    default:
+      return {};
   }
 }
 
 AttributeReading readAttribute(const AttributeRow& row, std::string_view text) {
   switch (row.kind) {
     case ValueKind::kName:
-    case ValueKind::kReference: return readName(row, text);
-    case ValueKind::kFile: return readFile(row, text);
-    case ValueKind::kQuantity: return readQuantity(row, text);
-    case ValueKind::kInteger: return readInteger(row, text);
-    case ValueKind::kChoice: return readChoice(row, text);
-    case ValueKind::kChoiceList: return readChoiceList(row, text);
-    case ValueKind::kFormat: break;
+    case ValueKind::kReference:
+      return readName(row, text);
+    case ValueKind::kFile:
+      return readFile(row, text);
+    case ValueKind::kQuantity:
+      return readQuantity(row, text);
+    case ValueKind::kInteger:
+      return readInteger(row, text);
+    case ValueKind::kChoice:
+      return readChoice(row, text);
+    case ValueKind::kChoiceList:
+      return readChoiceList(row, text);
+    case ValueKind::kFormat:
+      break;
   }
   if (text == kFileFormat) return {};
-  return {{}, fmt::format("{} is unknown to this program", written(row, text)),
+  return {{},
+          fmt::format("{} is unknown to this program", written(row, text)),
           fmt::format("it reads format=\"{}\"", kFileFormat)};
 }
 
 std::string attributeText(const AttributeRow& row, const Value& value) {
   switch (row.kind) {
-    case ValueKind::kFormat: return std::string(kFileFormat);
+    case ValueKind::kFormat:
+      return std::string(kFileFormat);
     case ValueKind::kName:
     case ValueKind::kReference:
-    case ValueKind::kFile: return std::get<std::string>(value);
-    case ValueKind::kInteger: return std::to_string(std::get<int>(value));
-    case ValueKind::kChoice: return row.choices.at(static_cast<std::size_t>(std::get<int>(value)));
-    case ValueKind::kQuantity: break;
+    case ValueKind::kFile:
+      return std::get<std::string>(value);
+    case ValueKind::kInteger:
+      return std::to_string(std::get<int>(value));
+    case ValueKind::kChoice:
+      return row.choices.at(static_cast<std::size_t>(std::get<int>(value)));
+    case ValueKind::kQuantity:
+      break;
     case ValueKind::kChoiceList: {
       std::vector<std::string> words;
       for (const int index : std::get<std::vector<int>>(value)) {

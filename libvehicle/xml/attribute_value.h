@@ -26,7 +26,8 @@ struct AttributeReading {
 /// @throws std::invalid_argument if a quantity is not finite
 [[nodiscard]] std::string attributeText(const AttributeRow& row, const Value& value);
 
-/// The nearest of the candidates for a person who mistyped; words of one or two letters and very long ones are no typing errors.
+/// The nearest of the candidates for a person who mistyped. Words of one or two letters and very long ones are no
+/// typing errors.
 [[nodiscard]] std::optional<std::string> suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace vehicle

@@ -21,13 +21,13 @@ judges.
 
 ## Rules for every file
 
-- A quantity carries its unit: `3040 kN/m`, `30 kN*s/m`, `57 t`, `70 t*m^2`, `70 tf*m*s^2`, `1.2 mrad`, `72 km/h`. A unit
-  is a product or quotient of symbols with prefix and power. A missing, unknown or wrong unit is an error.
+- A quantity carries its unit: `3040 kN/m`, `30 kN*s/m`, `57 t`, `70 t*m^2`, `70 tf*m*s^2`, `1.2 mrad`, `72 km/h`.
+  A unit is a product or quotient of symbols with prefix and power. A missing, unknown or wrong unit is an error.
   Prefixes divide by powers of ten: 9 mm is the double nearest to 0.009 m. 1 tf = 9806.65 N.
 - Names have up to 64 letters, digits, `_` and `-`, and begin with a letter or digit. They are unique in a file, so that
   `primary.stiffness_z`, `carbody.mass` or `front.x` address one number.
-- Unknown elements and attributes are errors, never ignored. Elements may stand in any order; bodies, wheelsets and suspensions
-  keep theirs in the results.
+- Unknown elements and attributes are errors, never ignored. Elements may stand in any order; bodies, wheelsets and
+  suspensions keep theirs in the results.
 - Files named by a file count from its folder.
 - Files are UTF-8 text of at most {} KiB. Document types, entities (but `&amp;`, `&lt;`, `&gt;`, `&quot;`, `&apos;` and
   character numbers) and processing instructions are refused; comments are free.
@@ -48,18 +48,25 @@ std::string escaped(std::string_view text) {
 
 std::string valueOf(const AttributeRow& row) {
   switch (row.kind) {
-    case ValueKind::kFormat: return fmt::format("`{}`", kFileFormat);
-    case ValueKind::kName: return "a name";
-    case ValueKind::kReference: return "name of a part";
-    case ValueKind::kFile: return "a path";
+    case ValueKind::kFormat:
+      return fmt::format("`{}`", kFileFormat);
+    case ValueKind::kName:
+      return "a name";
+    case ValueKind::kReference:
+      return "name of a part";
+    case ValueKind::kFile:
+      return "a path";
     case ValueKind::kQuantity: {
       const DimensionInfo& info = describe(row.dimension);
       return row.dimension == Dimension::kNumber ? std::string(info.name)
                                                  : fmt::format("{}, e.g. `{}`", info.name, info.example);
     }
-    case ValueKind::kInteger: return "whole number";
-    case ValueKind::kChoice: return fmt::format("`{}`", joined(row.choices, "`, `"));
-    case ValueKind::kChoiceList: break;
+    case ValueKind::kInteger:
+      return "whole number";
+    case ValueKind::kChoice:
+      return fmt::format("`{}`", joined(row.choices, "`, `"));
+    case ValueKind::kChoiceList:
+      break;
   }
   return fmt::format("some of `{}`", joined(row.choices, "`, `"));
 }

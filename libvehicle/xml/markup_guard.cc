@@ -47,7 +47,10 @@ ProblemList MarkupGuard::run(std::size_t begin) {
       report(at_, fmt::format("the text \"{}\" stands outside the root element", shown(rest)), "remove it");
       return std::move(problems_);
     }
-    if (here() != '<') {
+    if (text_.substr(at_, 3) == "]]>") {
+      report(at_, "\"]]>\" stands in a text", "write \"]]&gt;\"");
+      at_ += 3;
+    } else if (here() != '<') {
       passCharacter();
     } else if (!passMarkup()) {
       return std::move(problems_);
@@ -170,8 +173,9 @@ bool MarkupGuard::passClosingTag() {
     return false;
   }
   if (open_.back().name != name) {
-    report(begin, fmt::format("</{}> stands where <{}> of line {} is still open", shown(name),
-                              shown(open_.back().name), open_.back().line),
+    report(begin,
+           fmt::format("</{}> stands where <{}> of line {} is still open", shown(name), shown(open_.back().name),
+                       open_.back().line),
            fmt::format("close that with </{}>, or with \"/>\" in its own tag", shown(open_.back().name)));
     return false;
   }

@@ -17,8 +17,8 @@ inline constexpr std::size_t kMostDepth = 32;
 inline constexpr std::size_t kMostAttributes = 64;
 
 /// Walks once through a text from markup to markup and holds it against XML 1.0: tags of the right form that
-/// open and close in pairs below one root, attributes once each and in quotation marks, comments and CDATA closed, no entities
-/// but the five of XML, and neither document types nor processing instructions.
+/// open and close in pairs below one root, attributes once each and in quotation marks, comments and CDATA
+/// closed, no entities but the five of XML, and neither document types nor processing instructions.
 ///
 /// Goes on after what is wrong by itself, and ends where the rest could no longer be understood.
 class MarkupGuard {
@@ -54,7 +54,7 @@ class MarkupGuard {
   std::size_t counted_ = 0;  // bytes whose lines are in line_
   int line_ = 1;
   std::vector<OpenTag> open_;
-  std::string_view root_;    // empty before the root element
+  std::string_view root_;  // empty before the root element
   ProblemList problems_;
 };
 

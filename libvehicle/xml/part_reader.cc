@@ -88,9 +88,11 @@ void PartReader::readAttributes(const tinyxml2::XMLElement& element, const Eleme
       if (given.count(candidate.name) == 0) names.push_back(candidate.name);
     }
     const auto meant = suggestion(each->Name(), names);
-    std::string remedy = names.empty() ? "remove it" : fmt::format("what may still stand here: {}", joined(names, ", "));
+    std::string remedy =
+        names.empty() ? "remove it" : fmt::format("what may still stand here: {}", joined(names, ", "));
     if (meant) remedy = fmt::format("did you mean \"{}\"?", *meant);
-    report(each->GetLineNum(), path, fmt::format("attribute \"{}\" is unknown", shown(each->Name())), std::move(remedy));
+    report(each->GetLineNum(), path, fmt::format("attribute \"{}\" is unknown", shown(each->Name())),
+           std::move(remedy));
     if (!meant) continue;
     given.insert(*meant);
     readOne(*each, *row.attribute(*meant), row, object, path);
@@ -179,7 +181,8 @@ void PartReader::readChildren(const tinyxml2::XMLElement& element, const Scope& 
   std::map<std::string, int> first_line;
   for (const tinyxml2::XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
     if (node->ToText() != nullptr) {
-      report(node->GetLineNum(), scope.path, fmt::format("the text \"{}\" stands here", shown(unwrapped(node->Value()))),
+      report(node->GetLineNum(), scope.path,
+             fmt::format("the text \"{}\" stands here", shown(unwrapped(node->Value()))),
              "values are attributes; only <title> and <source> hold text");
       continue;
     }
@@ -190,7 +193,8 @@ void PartReader::readChildren(const tinyxml2::XMLElement& element, const Scope& 
     const auto [first, is_first] = first_line.emplace(row->name, child->GetLineNum());
     if (!is_first && !row->many) {
       report(child->GetLineNum(), scope.path,
-             fmt::format("<{}> stands a second time, first in line {}", row->name, first->second), "remove one of them");
+             fmt::format("<{}> stands a second time, first in line {}", row->name, first->second),
+             "remove one of them");
       continue;
     }
     readChild(*child, *row, scope);

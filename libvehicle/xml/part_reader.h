@@ -30,15 +30,16 @@ class PartReader {
  private:
   /// Where the walk stands: what the table says may be here, and whom it fills.
   struct Scope {
-    const ElementRow& row;      // the element whose children are read
-    void* object;               // its struct
-    std::string path;           // of that element, e.g. "<scenario><track>"
-    const ElementRow* holder;   // inside a group: the group's parent, whose elements may stand here; else null
+    const ElementRow& row;     // the element whose children are read
+    void* object;              // its struct
+    std::string path;          // of that element, e.g. "<scenario><track>"
+    const ElementRow* holder;  // inside a group: the group's parent, whose elements may stand here; else null
     void* holder_object;
-    std::string group;          // name of that group
+    std::string group;  // name of that group
   };
 
-  void readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object, const std::string& path);
+  void readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
+                      const std::string& path);
   void readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row, const ElementRow& element_row,
                void* object, const std::string& path);
   void reportMissing(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,

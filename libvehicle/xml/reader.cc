@@ -9,9 +9,9 @@
 
 #include "libvehicle/xml/attribute_value.h"
 #include "libvehicle/xml/document.h"
+#include "libvehicle/xml/message_text.h"
 #include "libvehicle/xml/part_reader.h"
 #include "libvehicle/xml/text_guard.h"
-#include "libvehicle/xml/message_text.h"
 
 namespace vehicle {
 
@@ -92,8 +92,8 @@ void checkReferences(const std::vector<FileReference>& references, FileKind kind
     const std::string written = fmt::format("file=\"{}\"", shown(reference.file));
     if (!found.value) {
       const Problem& first = found.problems[0];
-      problems.add({reference.origin, fmt::format("<suite><{}>", element), fmt::format("{}: {}", written, first.message),
-                    first.remedy});
+      problems.add({reference.origin, fmt::format("<suite><{}>", element),
+                    fmt::format("{}: {}", written, first.message), first.remedy});
     } else if (*found.value != kind) {
       problems.add({reference.origin, fmt::format("<suite><{}>", element),
                     fmt::format("{} holds a <{}>", written, schemaOf(*found.value).name),
@@ -145,9 +145,12 @@ ProblemList checkFile(const std::string& path) {
   const Outcome<FileKind> kind = kindOf(path);
   if (!kind.value) return kind.problems;
   switch (*kind.value) {
-    case FileKind::kVehicle: return readVehicle(path).problems;
-    case FileKind::kScenario: return readScenario(path).problems;
-    case FileKind::kSuite: return readSuite(path).problems;
+    case FileKind::kVehicle:
+      return readVehicle(path).problems;
+    case FileKind::kScenario:
+      return readScenario(path).problems;
+    case FileKind::kSuite:
+      return readSuite(path).problems;
   }
   return {};
 }

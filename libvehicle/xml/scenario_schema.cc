@@ -29,8 +29,10 @@ ElementRow runRow() {
           quantity<&Run::speed>("speed", Dimension::kSpeed, kNotNegative,
                                 "running speed; above 0 on a track, a rig does not need it")
               .orElse("0 m/s"),
-          quantity<&Run::duration>("duration", Dimension::kTime, kPositive, "time that the run lasts; this or distance"),
-          quantity<&Run::distance>("distance", Dimension::kLength, kPositive, "way that the run lasts; this or duration"),
+          quantity<&Run::duration>("duration", Dimension::kTime, kPositive,
+                                   "time that the run lasts; this or distance"),
+          quantity<&Run::distance>("distance", Dimension::kLength, kPositive,
+                                   "way that the run lasts; this or duration"),
           quantity<&Run::output_step>("output_step", Dimension::kTime, kPositive, "time between samples of the result")
               .orElse("5 ms"),
       });
@@ -55,7 +57,8 @@ ElementRow harmonicRow() {
 
 ElementRow dipRow() {
   return element<&Track::dips>(
-      "dip", "one_minus_cosine: -depth/2 (1 - cos(2 pi (s - start)/length)); half_sine: -depth sin(pi (s - start)/length)",
+      "dip",
+      "one_minus_cosine: -depth/2 (1 - cos(2 pi (s - start)/length)); half_sine: -depth sin(pi (s - start)/length)",
       R"(<dip shape="half_sine" depth="8 mm" length="2 m" start="20 m"/>)",
       {
           memberName<&Dip::name>(),
@@ -83,7 +86,8 @@ ElementRow rampRow() {
 ElementRow trackRow() {
   return element<&Scenario::track>(
       "track",
-      "The rail's height over the distance s, which counts from the leading wheelset's position at t = 0; members add up.",
+      "The rail's height over the distance s, which counts from the leading wheelset's position at t = 0; members add "
+      "up.",
       R"(<track history="onset"> <harmonic wavelength="25 m" amplitude="5 mm"/> </track>)",
       {
           choice<&Track::history>("history", {"onset", "extended"},

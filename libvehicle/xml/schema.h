@@ -16,7 +16,11 @@ namespace vehicle {
 // writer, XSD and docs page are walks over this table: a new attribute is one line in a *_schema.cc.
 
 /// What a file is about, told by its root element.
-enum class FileKind { kVehicle, kScenario, kSuite };
+enum class FileKind {
+  kVehicle,
+  kScenario,
+  kSuite
+};
 
 /// The format of files that this program reads and writes: <vehicle format="1">.
 inline constexpr std::string_view kFileFormat = "1";
@@ -33,7 +37,11 @@ enum class ValueKind {
 };
 
 /// Range of a quantity.
-enum class Sign { kAny, kNotNegative, kPositive };
+enum class Sign {
+  kAny,
+  kNotNegative,
+  kPositive
+};
 
 /// A value between file and struct: quantity in SI, integer or index of a choice, text, indices of choices;
 /// monostate: not given.
@@ -65,11 +73,11 @@ struct AttributeRow {
 struct ElementRow {
   std::string name;
   std::string sentence;
-  std::string example;   // one line a user may copy
+  std::string example;  // one line a user may copy
   bool required = false;
-  bool many = false;     // may stand more than once
-  bool in_group = false; // may stand inside a <group> too
-  bool is_group = false; // holds its parent's in_group elements
+  bool many = false;      // may stand more than once
+  bool in_group = false;  // may stand inside a <group> too
+  bool is_group = false;  // holds its parent's in_group elements
   std::vector<AttributeRow> attributes;
   std::vector<ElementRow> children;
 
@@ -80,8 +88,8 @@ struct ElementRow {
   void* (*add)(void* parent) = nullptr;
   const void* (*fresh)() = nullptr;  // an object that nothing has been said about: the defaults
   Origin* (*origin)(void* object) = nullptr;
-  std::string* (*group)(void* object) = nullptr;                         // null: belongs to no group
-  std::vector<ReservedQuantity>* (*reserved)(void* object) = nullptr;    // null: reserves nothing
+  std::string* (*group)(void* object) = nullptr;                       // null: belongs to no group
+  std::vector<ReservedQuantity>* (*reserved)(void* object) = nullptr;  // null: reserves nothing
 
   [[nodiscard]] const AttributeRow* attribute(std::string_view attribute_name) const;
   [[nodiscard]] const ElementRow* child(std::string_view element_name) const;

@@ -24,7 +24,8 @@ AttributeRow singleSpeedRow() {
 }
 
 AttributeRow fileRow() {
-  return bound<&FileReference::file>("file", ValueKind::kFile, "path, counted from the folder of this file").asRequired();
+  return bound<&FileReference::file>("file", ValueKind::kFile, "path, counted from the folder of this file")
+      .asRequired();
 }
 
 }  // namespace
@@ -33,8 +34,7 @@ ElementRow suiteRow() {
   constexpr Sign kPositive = Sign::kPositive;
   return object<Suite>(
       "suite", "Vehicles, scenarios, speeds, forms and methods that `validate` crosses.",
-      R"(<suite name="paper-speeds" format="1"> ... </suite>)",
-      {name<&Suite::name>("what reports call it"), format()},
+      R"(<suite name="paper-speeds" format="1"> ... </suite>)", {name<&Suite::name>("what reports call it"), format()},
       {
           text<&Suite::title>("title", "One line for reports.", "<title>The paper's vehicle at its speeds</title>"),
           text<&Suite::source>("source", "Where the numbers come from.", "<source>Section III of the paper</source>"),

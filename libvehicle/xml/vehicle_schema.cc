@@ -77,7 +77,8 @@ ElementRow wheelsetRow() {
       {
           name<&Wheelset::name>("what suspensions, rigs and results call it"),
           quantity<&Wheelset::x>("x", Dimension::kLength, kAny, "place, forward").orElse("0 m"),
-          quantity<&Wheelset::z>("z", Dimension::kLength, kAny, "height of the axle above rail top; all heights or none"),
+          quantity<&Wheelset::z>("z", Dimension::kLength, kAny,
+                                 "height of the axle above rail top; all heights or none"),
           quantity<&Wheelset::mass>("mass", Dimension::kMass, kPositive, "mass"),
           quantity<&Wheelset::load>("load", Dimension::kForce, kPositive,
                                     "static wheel-rail force Q0; else the one of the vehicle at rest"),
@@ -132,32 +133,33 @@ ElementRow suspensionRow() {
 }
 
 ElementRow pointRow() {
-  return element<&Vehicle::points>("point", "A measuring point on a body, with columns .z .vz .az in the results.",
-                                   R"(<point name="floor_mid" body="carbody" x="0 m"/>)",
-                                   {
-                                       name<&Point::name>("what results call it"),
-                                       reference<&Point::body>("body", "the body that it sits on"),
-                                       quantity<&Point::x>("x", Dimension::kLength, kAny, "place, forward").orElse("0 m"),
-                                   });
+  return element<&Vehicle::points>(
+      "point", "A measuring point on a body, with columns .z .vz .az in the results.",
+      R"(<point name="floor_mid" body="carbody" x="0 m"/>)",
+      {
+          name<&Point::name>("what results call it"),
+          reference<&Point::body>("body", "the body that it sits on"),
+          quantity<&Point::x>("x", Dimension::kLength, kAny, "place, forward").orElse("0 m"),
+      });
 }
 
 }  // namespace
 
 ElementRow vehicleRow() {
-  return object<Vehicle>("vehicle", "A vehicle: bodies on suspensions on wheelsets.",
-                         R"(<vehicle name="coach" format="1"> ... </vehicle>)",
-                         {name<&Vehicle::name>("what results and reports call it"), format()},
-                         {
-                             text<&Vehicle::title>("title", "One line for reports.", "<title>Coach, tare</title>"),
-                             text<&Vehicle::source>("source", "Where the numbers come from.",
-                                                    "<source>Data sheet of the maker</source>"),
-                             elementRow(),
-                             bodyRow(),
-                             groupRow(),
-                             wheelsetRow(),
-                             suspensionRow(),
-                             pointRow(),
-                         });
+  return object<Vehicle>(
+      "vehicle", "A vehicle: bodies on suspensions on wheelsets.",
+      R"(<vehicle name="coach" format="1"> ... </vehicle>)",
+      {name<&Vehicle::name>("what results and reports call it"), format()},
+      {
+          text<&Vehicle::title>("title", "One line for reports.", "<title>Coach, tare</title>"),
+          text<&Vehicle::source>("source", "Where the numbers come from.", "<source>Data sheet of the maker</source>"),
+          elementRow(),
+          bodyRow(),
+          groupRow(),
+          wheelsetRow(),
+          suspensionRow(),
+          pointRow(),
+      });
 }
 
 }  // namespace vehicle::schema

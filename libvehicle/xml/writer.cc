@@ -23,15 +23,26 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
       // As themselves these would come back as spaces.
       case '\t':
       case '\n':
-      case '\r': out += fmt::format("&#{};", static_cast<int>(c)); break;
-      default: out += c;
+      case '\r':
+        out += fmt::format("&#{};", static_cast<int>(c));
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -91,7 +102,11 @@ class Writer {
   }
 
  private:
-  enum class Gap { kNone, kBefore };  // an empty line between a long run of parts and what stands before it
+  /// An empty line before parts of another kind.
+  enum class Gap {
+    kNone,
+    kBefore,
+  };
 
   static std::string inLine(const Written& written) {
     std::string line;
@@ -114,10 +129,11 @@ class Writer {
       std::size_t end = begin + 1;
       while (isLeaf(parts[begin]) && end < parts.size() && isAlike(parts[end], parts[begin])) ++end;
       if (depth == 1 && gap == Gap::kBefore && (end > begin + 1 || parts[begin].row->many)) text_ += '\n';
-      gap = end < parts.size() && parts[end].row == parts[begin].row && !parts[begin].row->is_group ? Gap::kNone : Gap::kBefore;
+      const bool goes_on = end < parts.size() && parts[end].row == parts[begin].row;
+      gap = goes_on && !parts[begin].row->is_group ? Gap::kNone : Gap::kBefore;
       if (isLeaf(parts[begin])) {
-        writeAligned({parts.begin() + static_cast<std::ptrdiff_t>(begin), parts.begin() + static_cast<std::ptrdiff_t>(end)},
-                     depth);
+        const auto first = parts.begin();
+        writeAligned({first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)}, depth);
       } else {
         writeParent(parts[begin], depth);
       }

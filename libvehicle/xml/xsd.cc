@@ -91,10 +91,13 @@ class XsdWriter {
   /// type="..." of an attribute, or the body of a type of its own.
   std::pair<std::string, std::string> typeOf(const AttributeRow& row) {
     switch (row.kind) {
-      case ValueKind::kFormat: return {"format", ""};
+      case ValueKind::kFormat:
+        return {"format", ""};
       case ValueKind::kName:
-      case ValueKind::kReference: return {"name", ""};
-      case ValueKind::kFile: return {"file", ""};
+      case ValueKind::kReference:
+        return {"name", ""};
+      case ValueKind::kFile:
+        return {"file", ""};
       case ValueKind::kQuantity: {
         const Sign sign = row.sign == Sign::kPositive ? Sign::kPositive : Sign::kAny;
         quantities_.emplace(row.dimension, sign);
@@ -104,8 +107,10 @@ class XsdWriter {
         return {"", fmt::format("<xs:restriction base=\"xs:integer\"><xs:minInclusive value=\"{}\"/><xs:maxInclusive "
                                 "value=\"{}\"/></xs:restriction>",
                                 row.least, row.most)};
-      case ValueKind::kChoice: return {"", choices(row)};
-      case ValueKind::kChoiceList: break;
+      case ValueKind::kChoice:
+        return {"", choices(row)};
+      case ValueKind::kChoiceList:
+        break;
     }
     return {"", fmt::format("<xs:restriction><xs:simpleType><xs:list><xs:simpleType>{}</xs:simpleType></xs:list>"
                             "</xs:simpleType><xs:minLength value=\"1\"/></xs:restriction>",

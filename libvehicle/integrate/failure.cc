@@ -1,5 +1,6 @@
 #include "libvehicle/integrate/failure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -13,13 +14,11 @@ void failRun(const char* method, double t, const std::string& what) {
   throw std::runtime_error(message.str());
 }
 
-void requireFinite(const char* method, double t, std::span<const double> x) {
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (std::isfinite(x[i])) continue;
-    failRun(method, t,
-            "state " + std::to_string(i) + " is no longer finite (the step is too long for the fastest motion, or the "
-            "system is unstable)");
-  }
+void failNotFinite(const char* method, double t, std::span<const double> x) {
+  const auto bad = std::find_if_not(x.begin(), x.end(), [](double value) { return std::isfinite(value); });
+  failRun(method, t,
+          "state " + std::to_string(bad - x.begin()) +
+              " is no longer finite (the step is too long for the fastest motion, or the system is unstable)");
 }
 
 void checkStart(const char* method, std::span<const double> x0, int size) {

@@ -29,10 +29,11 @@ constexpr Header kHeaders[] = {
     {"tinyxml2.h", "tinyxml2::tinyxml2"},
     {"fmt/", "fmt::fmt"},
     {"CLI/", "CLI11::CLI11"},
+    {"nlohmann/", "nlohmann_json::nlohmann_json"},
 };
 constexpr std::string_view kSystemHeaders[] = {"fcntl.h",  "poll.h",   "pthread.h", "sched.h",
                                                "signal.h", "stdlib.h", "termios.h", "unistd.h"};
-constexpr std::string_view kOnlyForApps = "CLI11::CLI11";
+constexpr std::string_view kOnlyForApps[] = {"CLI11::CLI11", "nlohmann_json::nlohmann_json"};
 // Simbody's headers are C++17 and change with NDEBUG: one source file is compiled for them.
 constexpr std::string_view kSimbodyFile = "libvehicle/mbs/simbody_model.cc";
 
@@ -100,7 +101,9 @@ std::optional<std::string> judgeLibrary(const House& house, const std::string& f
   }
   const std::string room = roomOf(file);
   if (room.empty()) return std::nullopt;
-  if (library == kOnlyForApps) return "<" + header + "> belongs in apps/ alone";
+  if (std::ranges::find(kOnlyForApps, library) != std::end(kOnlyForApps)) {
+    return "<" + header + "> belongs in apps/ alone";
+  }
   if (!house.sees(room, library)) return "room " + room + " does not declare " + library + " (<" + header + ">)";
   if (library == "vehicle_simbody" && file != kSimbodyFile) {
     return "<" + header + "> belongs in " + std::string(kSimbodyFile) + " alone";

@@ -9,8 +9,8 @@ namespace vehicle::test {
 /// Reads every #include under libvehicle/ and apps/:
 ///   - a room includes its own headers and those of the rooms that it USES, nothing along an undeclared arrow;
 ///   - a project header is included by its path from the root;
-///   - a library's header stands only in rooms that declare the library, Simbody's in one file alone, the command
-///     line's only in apps; what a room uses PRIVATELY never stands in its public headers;
+///   - a library's header stands only in rooms that declare the library, Simbody's in one file alone, those of the
+///     command line only in apps; what a room uses PRIVATELY never stands in its public headers;
 ///   - a header that is neither standard, POSIX, ours nor in the table is unknown.
 [[nodiscard]] Violations wrongIncludes(const std::filesystem::path& root);
 

@@ -81,4 +81,9 @@ struct Outcome {
 /// (at most a third of the word's length, at least 1 edit allowed).
 [[nodiscard]] std::optional<std::string> nearestName(const std::string& word, const std::vector<std::string>& candidates);
 
+/// What to say of a name that is none of the candidates:  KIND "WORD" is unknown; did you mean "NEAREST"?  -- or, where
+/// none is near,  ...; choose one of A, B, C
+[[nodiscard]] std::string unknownName(const std::string& kind, const std::string& word,
+                                      const std::vector<std::string>& candidates);
+
 }  // namespace vehicle

@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/matrix/matrix_form.h"
 #include "libvehicle/mbs/mbs_form.h"
@@ -60,10 +58,7 @@ const FormEntry& entryOf(const std::string& form) {
   for (const FormEntry& entry : entries()) {
     if (entry.name == form) return entry;
   }
-  const std::optional<std::string> nearest = nearestName(form, formNames());
-  throw std::invalid_argument(fmt::format("form \"{}\" is unknown; {}", form,
-                                          nearest ? fmt::format("did you mean \"{}\"?", *nearest)
-                                                  : fmt::format("choose one of {}", fmt::join(formNames(), ", "))));
+  throw std::invalid_argument(unknownName("form", form, formNames()));
 }
 
 }  // namespace

@@ -24,10 +24,7 @@ std::string methodMisfit(const std::string& method, const std::string& form) {
   if (method == "simbody_rkm") {
     return simbody ? "" : fmt::format("simbody_rkm integrates Simbody forms; {} is not one", form);
   }
-  const std::optional<std::string> nearest = nearestName(method, methodNames());
-  throw std::invalid_argument(fmt::format("method \"{}\" is unknown; {}", method,
-                                          nearest ? fmt::format("did you mean \"{}\"?", *nearest)
-                                                  : fmt::format("choose one of {}", fmt::join(methodNames(), ", "))));
+  throw std::invalid_argument(unknownName("method", method, methodNames()));
 }
 
 std::string defaultMethod(const std::string& form) { return isLinearForm(form) ? "exact" : "dopri5"; }

@@ -65,7 +65,11 @@ TEST(Simulate, TakesFlatAndExactWhereTheyFitAndSaysSo) {
   EXPECT_EQ(simulate(paperVehicle(), paperScenario(History::kOnset), nonlinear).method, "dopri5");
 }
 
-std::string refusal(const RunChoice& choice) {
+// What simulate says of a choice that differs from the default in one thing.
+template <class Change>
+std::string refusal(Change change) {
+  RunChoice choice;
+  change(choice);
   try {
     (void)simulate(paperVehicle(), paperScenario(History::kOnset), choice);
   } catch (const std::invalid_argument& error) {
@@ -75,15 +79,18 @@ std::string refusal(const RunChoice& choice) {
 }
 
 TEST(Simulate, RefusesWrongChoicesWithNameValueAndRule) {
-  EXPECT_EQ(refusal({.form = "flatt"}), "form \"flatt\" is unknown; did you mean \"flat\"?");
-  EXPECT_EQ(refusal({.method = "rk5"}), "method \"rk5\" is unknown; did you mean \"rk4\"?");
-  EXPECT_EQ(refusal({.form = "mbs", .method = "exact"}), "exact needs a linear form; mbs is nonlinear");
-  EXPECT_EQ(refusal({.form = "flat", .method = "simbody_rkm"}),
+  EXPECT_EQ(refusal([](RunChoice& c) { c.form = "flatt"; }), "form \"flatt\" is unknown; did you mean \"flat\"?");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.form = "finite-elements"; }),
+            "form \"finite-elements\" is unknown; choose one of flat, matrix, mbs-linear, mbs, flat-7-printed, "
+            "flat-literal, flat-literal-mb");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.method = "rk5"; }), "method \"rk5\" is unknown; did you mean \"rk4\"?");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.form = "mbs", c.method = "exact"; }), "exact needs a linear form; mbs is nonlinear");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.form = "flat", c.method = "simbody_rkm"; }),
             "simbody_rkm integrates Simbody forms; flat is not one");
-  EXPECT_EQ(refusal({.step = 0.0}), "step = 0 s, must be finite and > 0");
-  EXPECT_EQ(refusal({.step = NAN}), "step = nan s, must be finite and > 0");
-  EXPECT_EQ(refusal({.refine = 0}), "refine = 0, must be >= 1");
-  EXPECT_EQ(refusal({.speed = -3.0}), "speed = -3 m/s, must be finite and > 0");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.step = 0.0; }), "step = 0 s, must be finite and > 0");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.step = NAN; }), "step = nan s, must be finite and > 0");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.refine = 0; }), "refine = 0, must be >= 1");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.speed = -3.0; }), "speed = -3 m/s, must be finite and > 0");
 }
 
 // |lambda| h > 2.8 is outside the stability region of rk4: the run must end by itself with the reason.
@@ -92,7 +99,9 @@ TEST(Simulate, EndsAnUnstableRunWithTheTimeReached) {
   scenario.run.output_step = 1.0;
   scenario.run.duration = 2000.0;
   try {
-    (void)run(paperVehicle(), scenario, "flat", "rk4", {.step = 1.0});
+    RunChoice choice;
+    choice.step = 1.0;
+    (void)run(paperVehicle(), scenario, "flat", "rk4", choice);
     FAIL() << "an unstable step was not noticed";
   } catch (const RunFailed& failure) {
     EXPECT_NE(std::string(failure.what()).find("flat with rk4: "), std::string::npos) << failure.what();

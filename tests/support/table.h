@@ -17,6 +17,7 @@ inline std::map<std::string, std::vector<double>> readTable(const std::string& p
   if (!file) throw std::runtime_error("cannot open " + path);
   std::string line;
   std::getline(file, line);
+  if (line.ends_with('\r')) line.pop_back();  // certified files come with either line end
   std::vector<std::string> names;
   for (std::stringstream header(line); std::getline(header, line, ',');) names.push_back(line);
   std::map<std::string, std::vector<double>> table;

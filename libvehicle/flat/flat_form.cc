@@ -8,6 +8,7 @@
 
 #include "libvehicle/flat/first_order.h"
 #include "libvehicle/flat/flat_layout.h"
+#include "libvehicle/flat/flat_statics.h"
 #include "libvehicle/flat/printed_variants.h"
 
 namespace vehicle {

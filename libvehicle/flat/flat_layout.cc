@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/statics/rest.h"
-
 namespace vehicle {
 namespace {
 
@@ -213,8 +211,8 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
                            double value, const std::string& model_name, double model, const char* unit) {
     if (std::abs(value - model) <= kEqual * std::max(std::abs(value), std::abs(model))) return;
     problems.add({place, pathOfPart(element, name),
-                  fmt::format("has {} {:.10g} {}, \"{}\" has {:.10g} {}; the printed equations know one value", what, value,
-                              unit, model_name, model, unit),
+                  fmt::format("has {} {:.10g} {}, \"{}\" has {:.10g} {}; the printed equations know one value", what,
+                              value, unit, model_name, model, unit),
                   remedy});
   };
   const auto compareSuspension = [&](int index, int model_index) {
@@ -235,8 +233,8 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
   const double lr = -behind.arm_upper;
   if (std::abs(lf - lr) > kEqual * std::max(std::abs(lf), std::abs(lr))) {
     problems.add({vehicle.suspensions[at(layout.secondary[1])].origin, pathOfPart("suspension", behind.name),
-                  fmt::format("stands {:.10g} m behind the carbody's centre of gravity, \"{}\" {:.10g} m ahead; the printed "
-                              "equations know one lever arm",
+                  fmt::format("stands {:.10g} m behind the carbody's centre of gravity, \"{}\" {:.10g} m ahead; the "
+                              "printed equations know one lever arm",
                               lr, ahead.name, lf),
                   remedy});
   }
@@ -253,63 +251,6 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
   }
   problems.sortByPlace();
   return problems;
-}
-
-FlatLoads flatLoads(const Topology& topology, const FlatLayout& layout, double gravity) {
-  const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
-  const auto& suspensions = topology.suspensions;
-  const double lf = suspensions[at(layout.secondary[0])].arm_upper;
-  const double lr = -suspensions[at(layout.secondary[1])].arm_upper;
-  bool lever_rule = lf > 0.0 && lr > 0.0;  // the carbody's centre of gravity lies between the pivots
-  for (const TopologySuspension& suspension : suspensions) {
-    lever_rule = lever_rule && suspension.stiffness > 0.0 && !suspension.preload;
-  }
-  FlatLoads loads;
-  if (lever_rule) {
-    const double weight = carbody.mass * gravity;
-    loads.secondary = {weight * lr / (lf + lr), weight * lf / (lf + lr)};
-    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-      const std::size_t bogie = wheel / 2;
-      const double c = suspensions[at(layout.primary[wheel])].stiffness;
-      const double c_both = suspensions[at(layout.primary[2 * bogie])].stiffness +
-                            suspensions[at(layout.primary[2 * bogie + 1])].stiffness;
-      const TopologyWheelset& wheelset = topology.wheelsets[at(layout.wheelset[wheel])];
-      loads.primary[wheel] =
-          (topology.bodies[at(layout.bogie[bogie])].mass * gravity + loads.secondary[bogie]) * c / c_both;
-      loads.wheel[wheel] = wheelset.load.value_or(wheelset.mass * gravity + loads.primary[wheel]);
-    }
-    return loads;
-  }
-  const Rest rest = restOf(topology, gravity);
-  for (std::size_t i = 0; i < 2; ++i) loads.secondary[i] = rest.suspension_load[at(layout.secondary[i])];
-  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-    loads.primary[wheel] = rest.suspension_load[at(layout.primary[wheel])];
-    loads.wheel[wheel] = rest.wheel_load[at(layout.wheelset[wheel])];
-  }
-  return loads;
-}
-
-FlatParameters flatParameters(const Topology& topology, const FlatLayout& layout, const FlatLoads& loads) {
-  const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
-  const TopologySuspension& front = topology.suspensions[at(layout.secondary[0])];
-  const TopologySuspension& rear = topology.suspensions[at(layout.secondary[1])];
-  FlatParameters v;
-  v.mk = carbody.mass;
-  v.Jk = carbody.pitch_inertia;
-  v.m1 = topology.bodies[at(layout.bogie[0])].mass;
-  v.m2 = topology.bodies[at(layout.bogie[1])].mass;
-  v.lf = front.arm_upper;
-  v.lr = -rear.arm_upper;
-  v.cs1 = front.stiffness;
-  v.bs1 = front.damping;
-  v.cs2 = rear.stiffness;
-  v.bs2 = rear.damping;
-  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-    v.cp[wheel] = topology.suspensions[at(layout.primary[wheel])].stiffness;
-    v.bp[wheel] = topology.suspensions[at(layout.primary[wheel])].damping;
-  }
-  v.k_g = loads.secondary[0] * front.height_upper + loads.secondary[1] * rear.height_upper;
-  return v;
 }
 
 }  // namespace vehicle

@@ -12,6 +12,7 @@
 
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/flat/flat_layout.h"
+#include "libvehicle/flat/flat_statics.h"
 #include "libvehicle/statics/rest.h"
 #include "tests/integrate/allocations.h"
 #include "tests/support/columns.h"
@@ -223,6 +224,10 @@ TEST(FlatLoads, KeepGivenPreloadsAndWheelLoads) {
   EXPECT_EQ(y["wheelset_1.load"], 150e3);
   EXPECT_WITHIN(y["wheelset_2.load"], bogie - 150e3, 1e-13 * bogie);
   EXPECT_EQ(y["wheelset_4.load"], 190e3);
+}
+
+TEST(FlatLoads, RefuseAGravityThatPointsUpward) {
+  EXPECT_THROW(static_cast<void>(buildFlatForm(paperVehicle(), -9.81)), std::invalid_argument);
 }
 
 // Attachments h below the CG add -mk g h to the pitch stiffness, and to nothing else.

@@ -18,12 +18,14 @@ struct FixedStep {
 struct Accuracy {
   double relative = 1e-10;
   double absolute = 1e-12;
-  double max_step = 0.0;  // [s]; 0: the stretch between two kinks
+  double max_step = 0.0;  // [s]; 0: the stretch between two kinks, or a quarter of the input's shortest period there
 };
 
 // Every run starts from x0 at the schedule's first sample, ends steps on the kinks and restarts there with the
-// one-sided limits of the input. @throws RunFailed-like std::runtime_error on NaN or a step size at rounding level,
-// with the time reached.
+// one-sided limits of the input.
+// @throws std::runtime_error    on NaN, infinity or a step size at rounding level, with the time reached:
+//                               "rk4: state 3 is no longer finite (...) at t = 0.35 s"
+// @throws std::invalid_argument for a step, tolerance, x0 or input that does not fit, with value and rule
 
 /// Classical Runge-Kutta of order 4.
 Statistics runRk4(const System& system, const Input& input, const Schedule& schedule, FixedStep step,

@@ -14,6 +14,17 @@ namespace vehicle {
 /// @throws std::invalid_argument unless step.step > 0 and finite, step.refine >= 1, and the number is below 1e9
 [[nodiscard]] int stepsOf(double length, FixedStep step);
 
+/// Stretches first .. first+count-1 of a schedule, run as one grid of equal steps.
+struct StepGrid {
+  std::size_t count = 1;
+  int steps = 0;   // of each stretch
+  double h = 0.0;  // [s]
+};
+
+/// The longest grid that begins with that stretch. Stretches of one whole output step in one segment of the input
+/// share a grid: the sine and cosine that seed the input are then paid once a block and not once a sample.
+[[nodiscard]] StepGrid stepGridAt(const Schedule& schedule, std::size_t first, FixedStep step);
+
 /// Steps that are fed with one block of input. A multiple of Input::kBlock / 2, so that blocks begin where the
 /// input is seeded anew and the cut leaves no trace in the numbers.
 inline constexpr int kStepsPerBlock = 2 * Input::kBlock;
@@ -26,7 +37,7 @@ inline constexpr int kStepsPerBlock = 2 * Input::kBlock;
 ///
 /// @tparam Stepper  kName, kEvaluations and step(h, u_begin, u_middle, u_end, x) as Rk4 has them
 /// @param x0  (n) state at the schedule's first sample
-/// @throws std::runtime_error     if a state is no longer finite at the end of a block, naming the time
+/// @throws std::runtime_error     if a state is no longer finite at a sample or the end of a block, naming the time
 /// @throws std::invalid_argument  for a wrong step (stepsOf) or x0 (checkStart)
 template <class Stepper>
 Statistics runFixedStep(Stepper& stepper, const Input& input, const Schedule& schedule, FixedStep step,
@@ -35,32 +46,35 @@ Statistics runFixedStep(Stepper& stepper, const Input& input, const Schedule& sc
   std::vector<double> x(x0.begin(), x0.end());
   const int width = 2 * input.channels();
   std::vector<double> u((2 * static_cast<std::size_t>(kStepsPerBlock) + 1) * static_cast<std::size_t>(width));
+  const std::vector<Stretch>& stretches = schedule.stretches();
 
   Statistics statistics;
-  const Stretch& first = schedule.stretches().front();
-  if (!observe(0, first.segment, first.begin, x)) {
-    statistics.stopped = true;
-    return statistics;
-  }
-  for (const Stretch& stretch : schedule.stretches()) {
-    const int steps = stepsOf(stretch.end - stretch.begin, step);
-    const double h = (stretch.end - stretch.begin) / steps;
-    for (int done = 0; done < steps; done += kStepsPerBlock) {
-      const int count = std::min(kStepsPerBlock, steps - done);
-      const int values = 2 * count + 1;
-      input.sweep(stretch.segment, stretch.begin, 0.5 * h, 2 * done, values,
-                  {u.data(), static_cast<std::size_t>(values * width)});
+  statistics.stopped = !observe(0, stretches.front().segment, stretches.front().begin, x);
+  for (std::size_t first = 0; first < stretches.size() && !statistics.stopped;) {
+    const StepGrid grid = stepGridAt(schedule, first, step);
+    const Stretch* stretch = &stretches[first];
+    const int segment = stretch->segment;
+    const double begin = stretch->begin;
+    const int total = grid.steps * static_cast<int>(grid.count);
+    int left = grid.steps;  // of this stretch
+    for (int done = 0; done < total && !statistics.stopped;) {
+      const int block_end = std::min(done + kStepsPerBlock, total);
+      const int values = 2 * (block_end - done) + 1;
+      input.sweep(segment, begin, 0.5 * grid.h, 2 * done, values, {u.data(), static_cast<std::size_t>(values * width)});
       const double* row = u.data();
-      for (int i = 0; i < count; ++i, row += 2 * width) {
-        stepper.step(h, row, row + width, row + 2 * width, x.data());
+      while (done < block_end && !statistics.stopped) {
+        for (const int pause = std::min(block_end, done + left); done < pause; ++done, --left, row += 2 * width) {
+          stepper.step(grid.h, row, row + width, row + 2 * width, x.data());
+          ++statistics.steps;
+        }
+        requireFinite(Stepper::kName, begin + done * grid.h, x);
+        if (left > 0) continue;
+        if (stretch->sample >= 0) statistics.stopped = !observe(stretch->sample, stretch->next, stretch->end, x);
+        ++stretch;
+        left = grid.steps;
       }
-      requireFinite(Stepper::kName, stretch.begin + (done + count) * h, x);
     }
-    statistics.steps += steps;
-    if (stretch.sample >= 0 && !observe(stretch.sample, stretch.next, stretch.end, x)) {
-      statistics.stopped = true;
-      break;
-    }
+    first += grid.count;
   }
   statistics.evaluations = Stepper::kEvaluations * statistics.steps;
   return statistics;

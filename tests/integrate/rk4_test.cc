@@ -116,6 +116,29 @@ TEST(Rk4, FourEvaluationsAStepAndStepsThatDivideEveryStretch) {
   EXPECT_EQ(statistics.rejected, 0);
 }
 
+TEST(StepGrid, SharesWholeOutputStepsOfOneSegmentAndStopsAtTheKink) {
+  const Input input = inputOf({sineOnsetRail(0.3137)});
+  const Schedule schedule(input, 0.01);
+  const StepGrid before = stepGridAt(schedule, 0, {.step = 4e-3});
+  EXPECT_EQ(before.count, 31u);
+  EXPECT_EQ(before.steps, 3);
+  EXPECT_DOUBLE_EQ(before.h, 0.01 / 3);
+  const StepGrid to_kink = stepGridAt(schedule, 31, {.step = 4e-3});
+  EXPECT_EQ(to_kink.count, 1u);
+  EXPECT_WITHIN(to_kink.h, 0.0037, 1e-15);  // a difference of instants
+  const StepGrid from_kink = stepGridAt(schedule, 32, {.step = 4e-3});
+  EXPECT_EQ(from_kink.count, 1u);
+  EXPECT_WITHIN(2 * from_kink.h, 0.0063, 1e-15);
+  EXPECT_EQ(stepGridAt(schedule, 33, {.step = 4e-3}).count, 268u);  // 0.32 s .. 3 s
+}
+
+TEST(StepGrid, KinkOnASampleDividesIt) {
+  const Input input = inputOf({sineOnsetRail(0.31)});
+  const Schedule schedule(input, 0.01);
+  EXPECT_EQ(stepGridAt(schedule, 0, {}).count, 31u);
+  EXPECT_EQ(stepGridAt(schedule, 31, {}).count, 269u);
+}
+
 TEST(StepsOf, LengthAboveAMultipleByRoundingAloneCostsNoStepMore) {
   EXPECT_EQ(stepsOf(0.005, {.step = 0.001}), 5);
   EXPECT_EQ(stepsOf(std::nextafter(0.005, 1.0), {.step = 0.001}), 5);

@@ -1,0 +1,39 @@
+# Completion of `vehicle` for bash. Installed under share/bash-completion/completions, or: source vehicle.bash
+_vehicle() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
+  local commands="check info simulate modes validate schema"
+  local common="--help --format --quiet"
+  local settings="--speed --step --rtol --atol --accuracy"
+  local forms="flat matrix mbs-linear mbs flat-7-printed flat-literal flat-literal-mb"
+  local methods="rk4 dopri5 exact simbody_rkm"
+  local words=""
+  COMPREPLY=()
+
+  if ((COMP_CWORD == 1)); then
+    mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$current")
+    return
+  fi
+  case $previous in
+    --form) words=$forms ;;
+    --method) words=$methods ;;
+    --format) words="table csv json" ;;
+    --speed | --step | --rtol | --atol | --accuracy | --gravity) return ;;
+    --output) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
+  esac
+  if [[ -z $words && $current == -* ]]; then
+    case ${COMP_WORDS[1]} in
+      check) words=$common ;;
+      info) words="$common --gravity" ;;
+      simulate) words="$common --form --method $settings --output" ;;
+      modes) words="$common --form --gravity" ;;
+      validate) words="$common --form --method $settings" ;;
+      schema) words="--help --xsd --markdown" ;;
+    esac
+  fi
+  if [[ -n $words ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+  else
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.xml' -- "$current"; compgen -d -- "$current")
+  fi
+}
+complete -o filenames -F _vehicle vehicle

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace vehicle::cli {
+
+enum class Format { kTable, kCsv, kJson };
+
+/// Nothing (does not apply), a text, a number, a whole number, yes or no.
+using Cell = std::variant<std::monostate, std::string, double, long, bool>;
+
+struct Fact {
+  std::string name;
+  Cell value;
+  std::string unit;
+};
+
+struct TableColumn {
+  std::string name;
+  std::string unit;
+};
+
+struct Table {
+  std::string name;
+  std::vector<TableColumn> columns;
+  std::vector<std::vector<Cell>> rows;  // each as long as `columns`
+};
+
+/// What a command has to say on stdout: facts, tables, remarks.
+struct Document {
+  std::vector<Fact> facts;
+  std::vector<Table> tables;
+  std::vector<std::string> remarks;
+};
+
+/// table  for eyes: aligned columns, 5 significant digits; a table without rows is left out
+/// csv    the tables alone, an empty line between two; every number reads back to the same bits
+/// json   one object: facts {name: {value, unit}}, tables {name: {units, rows}}, remarks; what is not finite is null
+void print(const Document& document, Format format, std::ostream& out);
+
+}  // namespace vehicle::cli

@@ -1,0 +1,60 @@
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/model_options.h"
+#include "apps/cli/options.h"
+#include "apps/cli/vehicle_tables.h"
+#include "libvehicle/xml/reader.h"
+
+namespace vehicle::cli {
+namespace {
+
+struct Options {
+  ModelFiles files;
+  double gravity = 9.81;  // [m/s^2]
+  CommonOptions common;
+};
+
+int printInfo(const Options& options) {
+  const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
+  const Topology topology = topologyOf(vehicle);
+  const Rest rest = restOf(topology, options.gravity);
+
+  double bodies = 0.0, wheelsets = 0.0;
+  for (const TopologyBody& body : topology.bodies) bodies += body.mass;
+  for (const TopologyWheelset& wheelset : topology.wheelsets) wheelsets += wheelset.mass;
+  Document document;
+  document.facts = {{"vehicle", vehicle.name, ""}};
+  if (!vehicle.title.empty()) document.facts.push_back({"title", vehicle.title, ""});
+  if (!vehicle.source.empty()) document.facts.push_back({"source", vehicle.source, ""});
+  document.facts.insert(document.facts.end(), {{"degrees of freedom", static_cast<long>(topology.coordinates), ""},
+                                               {"total mass", (bodies + wheelsets) / 1e3, "t"},
+                                               {"unsprung mass", wheelsets / 1e3, "t"},
+                                               {"heights given", topology.has_heights, ""},
+                                               {"gravity", options.gravity, "m/s^2"}});
+  document.tables = {bodyTable(vehicle, topology, rest), wheelsetTable(topology, rest),
+                     suspensionTable(topology, rest), formTable(vehicle), unusedTable(vehicle)};
+  print(document, options.common.format, std::cout);
+  return kDone;
+}
+
+}  // namespace
+
+Action addInfo(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("info", "describe a vehicle: bodies, static loads, which forms fit and why not");
+  addVehicleFile(*command, options->files);
+  addGravity(*command, options->gravity);
+  addCommonOptions(*command, options->common);
+  command->footer("Rest positions count from unloaded springs; loads are static, compression positive.\n"
+                  "Example: vehicle info models/vehicles/al-oraiqat-2017.xml");
+  return [options] { return printInfo(*options); };
+}
+
+}  // namespace vehicle::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "libvehicle/definition/scenario.h"
+#include "libvehicle/definition/vehicle.h"
+
+namespace vehicle::cli {
+
+/// VEHICLE, and SCENARIO after it where a command runs something.
+struct ModelFiles {
+  std::string vehicle;
+  std::string scenario;
+};
+void addVehicleFile(CLI::App& command, ModelFiles& files);
+void addScenarioFile(CLI::App& command, ModelFiles& files);
+
+/// Gravity of a command without scenario [m/s^2].
+void addGravity(CLI::App& command, double& gravity);
+
+struct Model {
+  Vehicle vehicle;
+  Scenario scenario;
+};
+/// Reads both; the problems of both files are told together, then what the scenario asks of this vehicle.
+/// @throws InvalidInput
+[[nodiscard]] Model readModel(const ModelFiles& files);
+
+}  // namespace vehicle::cli

@@ -1,0 +1,161 @@
+#include "apps/cli/options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "apps/cli/exit_status.h"
+#include "libvehicle/diagnostics/problem.h"
+
+namespace vehicle::cli {
+namespace {
+
+std::string unknown(const std::string& what, const std::string& word, const std::vector<std::string>& candidates) {
+  const std::optional<std::string> nearest = nearestName(word, candidates);
+  return fmt::format("{}\"{}\" is unknown; {}", what, word,
+                     nearest ? fmt::format("did you mean \"{}\"?", *nearest)
+                             : fmt::format("choose one of {}", fmt::join(candidates, ", ")));
+}
+
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> commandNames(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
+  return names;
+}
+
+std::string argumentOf(const CLI::Option& option) {
+  std::string name = option.get_type_name();
+  if (option.get_items_expected_max() > 1) name += "...";
+  return option.get_required() ? name : "[" + name + "]";
+}
+
+/// Two columns; what follows a line break in `right` is set below its first line.
+std::string twoColumns(const std::vector<std::pair<std::string, std::string>>& lines) {
+  std::size_t width = 0;
+  for (const auto& [left, right] : lines) width = std::max(width, left.size());
+  std::string text;
+  for (const auto& [left, right] : lines) {
+    std::string indented;
+    for (const char letter : right) {
+      indented += letter;
+      if (letter == '\n') indented += std::string(width + 4, ' ');
+    }
+    text += "  " + left + std::string(width - left.size() + 2, ' ') + indented + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+void addCommonOptions(CLI::App& command, CommonOptions& options) {
+  static const std::map<std::string, Format> formats = {
+      {"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}};
+  command
+      .add_option_function<std::string>(
+          "--format", [&options](const std::string& name) { options.format = formats.at(name); },
+          "table | csv | json, on stdout; csv holds the tables only   (default: table)")
+      ->type_name("NAME")
+      ->check(oneOf({"table", "csv", "json"}));
+  command.add_flag("--quiet", options.quiet, "no progress and no remarks on stderr; errors remain");
+}
+
+CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension dimension, const std::string& help,
+                         std::function<void(double)> store) {
+  const auto read = [name, dimension, store = std::move(store)](const std::string& text) {
+    const ParsedQuantity quantity = parseQuantity(text, dimension);
+    if (!quantity.si) {
+      throw CLI::ValidationError(fmt::format("{}: \"{}\" {}; {}", name, text, quantity.message, quantity.remedy),
+                                 CLI::ExitCodes::ValidationError);
+    }
+    if (!(std::isfinite(*quantity.si) && *quantity.si > 0.0)) {
+      throw CLI::ValidationError(fmt::format("{}: \"{}\" must be finite and > 0", name, text),
+                                 CLI::ExitCodes::ValidationError);
+    }
+    store(*quantity.si);
+  };
+  std::string type(describe(dimension).name);
+  std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return command.add_option_function<std::string>(name, read, help)->type_name(type);
+}
+
+void addRunSettings(CLI::App& command, RunChoice& choice) {
+  addQuantity(command, "--speed", Dimension::kSpeed,
+              "running speed, e.g. \"20 m/s\", \"72 km/h\"   (default: from SCENARIO)",
+              [&choice](double value) { choice.speed = value; });
+  addQuantity(command, "--step", Dimension::kTime,
+              "rk4: largest step, shortened to end on samples and kinks   (default: \"1 ms\")",
+              [&choice](double value) { choice.step = value; });
+  addQuantity(command, "--rtol", Dimension::kNumber, "dopri5: relative tolerance   (default: 1e-10)",
+              [&choice](double value) { choice.relative = value; });
+  addQuantity(command, "--atol", Dimension::kNumber, "dopri5: absolute tolerance, in m, rad, m/s, rad/s   (default: 1e-12)",
+              [&choice](double value) { choice.absolute = value; });
+  addQuantity(command, "--accuracy", Dimension::kNumber,
+              "simbody_rkm: 100 to 300 times tighter than the error wanted   (default: 1e-10)",
+              [&choice](double value) { choice.accuracy = value; });
+}
+
+CLI::Validator oneOf(const std::vector<std::string>& names) {
+  return CLI::Validator(
+      [names](std::string& word) {
+        return std::find(names.begin(), names.end(), word) != names.end() ? std::string() : unknown("", word, names);
+      },
+      "");
+}
+
+std::string HelpLayout::make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const {
+  const bool is_program = app->get_parent() == nullptr;
+  std::string usage = is_program ? "usage: vehicle COMMAND" : "usage: vehicle " + app->get_name();
+  std::vector<std::pair<std::string, std::string>> arguments, options, commands;
+  for (const CLI::Option* option : app->get_options()) {
+    if (option->get_positional()) {
+      usage += " " + argumentOf(*option);
+      arguments.emplace_back(option->get_type_name(), option->get_description());
+    } else {
+      std::string left = option->get_name();
+      // Flags take nothing.
+      if (option->get_items_expected_max() > 0) left += " " + option->get_type_name();
+      options.emplace_back(left, option->get_description());
+    }
+  }
+  for (const CLI::App* command : app->get_subcommands(nullptr)) {
+    commands.emplace_back(command->get_name(), command->get_description());
+  }
+  std::string text = usage + " [options]\n\n" + app->get_description() + "\n\n";
+  if (!commands.empty()) text += twoColumns(commands) + "\n";
+  if (!arguments.empty()) text += twoColumns(arguments) + "\n";
+  return text + twoColumns(options) + "\n" + app->get_footer() + "\n" + kExitStatusHelp + "\n";
+}
+
+std::string explain(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& app = chosen.empty() ? program : *chosen.front();
+  const std::string name = chosen.empty() ? "vehicle" : "vehicle " + app.get_name();
+  // A mistyped option leaves its value among the arguments, so it is looked for before anything else is said.
+  // What a command does not know goes up to the program.
+  std::vector<std::string> unread = app.remaining();
+  if (!chosen.empty()) {
+    for (const std::string& word : program.remaining()) unread.push_back(word);
+  }
+  for (const std::string& word : unread) {
+    if (word.size() > 1 && word.front() == '-') {
+      return fmt::format("{}: {}", name, unknown("option ", word.substr(0, word.find('=')), optionNames(app)));
+    }
+  }
+  if (chosen.empty() && !unread.empty()) return fmt::format("{}: {}", name, unknown("command ", unread.front(), commandNames(program)));
+  if (chosen.empty()) return fmt::format("{}: a command is missing; see vehicle --help", name);
+  if (!unread.empty()) return fmt::format("{}: \"{}\" is one argument too many; see {} --help", name, unread.front(), name);
+  return fmt::format("{}: {}; see {} --help", name, error.what(), name);
+}
+
+}  // namespace vehicle::cli

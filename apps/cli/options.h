@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/cli/document.h"
+#include "libvehicle/simulate/simulate.h"
+#include "libvehicle/units/quantity.h"
+
+namespace vehicle::cli {
+
+/// What every command takes: --format and --quiet.
+struct CommonOptions {
+  Format format = Format::kTable;
+  bool quiet = false;
+};
+void addCommonOptions(CLI::App& command, CommonOptions& options);
+
+/// An option with a unit; the message of a wrong one names the dimension expected and an example.
+/// @param store  called with the value in SI, which is finite and > 0
+CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension dimension, const std::string& help,
+                         std::function<void(double)> store);
+
+/// Speed, step and tolerances of a run, as far as the methods read them.
+void addRunSettings(CLI::App& command, RunChoice& choice);
+
+/// One name of a list; a wrong one gets the nearest right one named.
+CLI::Validator oneOf(const std::vector<std::string>& names);
+
+/// Help in the layout of style.md: usage, sentence, arguments, options with unit and default, example, exit status.
+class HelpLayout : public CLI::FormatterBase {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+};
+
+/// What is wrong with the command line, in one line, with the nearest right option or command.
+[[nodiscard]] std::string explain(const CLI::App& program, const CLI::ParseError& error);
+
+}  // namespace vehicle::cli

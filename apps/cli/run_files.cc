@@ -1,0 +1,52 @@
+#include "apps/cli/run_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/storage/read_file.h"
+
+namespace vehicle::cli {
+
+void requireWritable(const std::vector<std::string>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    static_cast<void>(historyFormatOf(outputs[i]));
+    if (std::find(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(i), outputs[i]) !=
+        outputs.begin() + static_cast<std::ptrdiff_t>(i)) {
+      throw std::invalid_argument(fmt::format("--output {} is given twice", outputs[i]));
+    }
+  }
+  // Opened and given up again: the old file stays as it is.
+  for (const std::string& output : outputs) const AtomicFile probe(output);
+}
+
+RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice& choice, const RunResult& result) {
+  RunRecord record;
+  record.history = result.history;
+  record.attributes = {{"version", VEHICLE_VERSION},
+                       {"vehicle", model.vehicle.name},
+                       {"scenario", model.scenario.name},
+                       {"form", result.form},
+                       {"method", result.method},
+                       {"speed [m/s]", fmt::format("{}", result.speed)},
+                       {"gravity [m/s^2]", fmt::format("{}", model.scenario.gravity)}};
+  if (result.method == "rk4") record.attributes.emplace_back("step [s]", fmt::format("{}", choice.step));
+  if (result.method == "dopri5") {
+    record.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
+    record.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));
+  }
+  if (result.method == "simbody_rkm") record.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
+  record.attributes.emplace_back("steps", fmt::format("{}", result.statistics.steps));
+  record.attributes.emplace_back("evaluations", fmt::format("{}", result.statistics.evaluations));
+  record.attributes.emplace_back("rejected steps", fmt::format("{}", result.statistics.rejected));
+  record.attributes.emplace_back("ended early", result.statistics.stopped ? "yes" : "no");
+  for (const std::string& file : {files.vehicle, files.scenario}) {
+    record.inputs.push_back({file, readFile(file).orThrow()});
+  }
+  return record;
+}
+
+}  // namespace vehicle::cli

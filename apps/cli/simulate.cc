@@ -1,0 +1,117 @@
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/model_options.h"
+#include "apps/cli/options.h"
+#include "apps/cli/progress.h"
+#include "apps/cli/run_files.h"
+
+namespace vehicle::cli {
+namespace {
+
+/// One line a column: smallest, largest, largest size and when, root mean square over the samples.
+Table summaryOf(const TimeHistory& history) {
+  Table table{"columns",
+              {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"rms", ""}},
+              {}};
+  for (std::size_t j = 1; j < history.columns().size(); ++j) {
+    double low = history.at(0, j), high = low, peak = std::abs(low), at = history.at(0, 0), squares = 0.0;
+    for (std::size_t i = 0; i < history.samples(); ++i) {
+      const double value = history.at(i, j);
+      low = std::min(low, value);
+      high = std::max(high, value);
+      squares += value * value;
+      if (std::abs(value) > peak) {
+        peak = std::abs(value);
+        at = history.at(i, 0);
+      }
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(history.samples()));
+    table.rows.push_back({history.columns()[j].name, history.columns()[j].unit, low, high, peak, at, rms});
+  }
+  return table;
+}
+
+struct Options {
+  ModelFiles files;
+  RunChoice choice;
+  std::vector<std::string> outputs;
+  CommonOptions common;
+};
+
+int simulateAndStore(const Options& options) {
+  requireWritable(options.outputs);
+  const Model model = readModel(options.files);
+  const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
+  RunResult result;
+  {
+    ProgressBar bar(shown, durationOf(model.scenario), "s");
+    result = simulate(model.vehicle, model.scenario, options.choice,
+                      [&](double share) { return bar.update(share, "simulate"); });
+  }
+  const TimeHistory& history = result.history;
+  const double reached = history.at(history.samples() - 1, 0);
+  const RunRecord record = recordOf(options.files, model, options.choice, result);
+  for (const std::string& output : options.outputs) writeHistory(output, record);
+
+  Document document;
+  document.facts = {{"vehicle", model.vehicle.name, ""},
+                    {"scenario", model.scenario.name, ""},
+                    {"form", result.form, ""},
+                    {"method", result.method, ""},
+                    {"speed", result.speed, "m/s"},
+                    {"end of run", reached, "s"},
+                    {"samples", static_cast<long>(history.samples()), ""},
+                    {"steps", result.statistics.steps, ""},
+                    {"evaluations", result.statistics.evaluations, ""},
+                    {"rejected steps", result.statistics.rejected, ""},
+                    {"run time", result.wall_seconds, "s"}};
+  document.tables.push_back(summaryOf(history));
+  print(document, options.common.format, std::cout);
+  for (const std::string& output : options.outputs) {
+    if (!options.common.quiet) std::cerr << fmt::format("written: {}\n", output);
+  }
+  if (!result.statistics.stopped) return kDone;
+  std::cerr << fmt::format("vehicle: interrupted at t = {:.6g} s; the columns above{} end there\n", reached,
+                           options.outputs.empty() ? "" : " and the files written");
+  return kInterrupted;
+}
+
+}  // namespace
+
+Action addSimulate(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("simulate", "simulate one vehicle over one track");
+  addVehicleFile(*command, options->files);
+  addScenarioFile(*command, options->files);
+  command->add_option("--form", options->choice.form,
+                      "flat | matrix | mbs | mbs-linear, or a printed variant: flat-7-printed |\n"
+                      "flat-literal | flat-literal-mb   (default: flat where it fits, else matrix)")
+      ->type_name("NAME")
+      ->check(oneOf(formNames()));
+  command->add_option("--method", options->choice.method,
+                      "rk4 | dopri5 | exact | simbody_rkm   (default: exact where it fits, else dopri5)")
+      ->type_name("NAME")
+      ->check(oneOf(methodNames()));
+  addRunSettings(*command, options->choice);
+  command->add_option("--output", options->outputs,
+                      "time histories, .csv or .h5; may be given several times   (default: none)")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addCommonOptions(*command, options->common);
+  command->footer("Prints a summary of every column in the format chosen; whole histories go to --output.\n"
+                  "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
+                  "             --speed \"72 km/h\" --output run.h5 --output run.csv");
+  return [options] { return simulateAndStore(*options); };
+}
+
+}  // namespace vehicle::cli

@@ -1,0 +1,145 @@
+#include "apps/cli/validation_tables.h"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace vehicle::cli {
+namespace {
+
+Cell optional(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+
+/// The pair of the reference (run 0) and this run, if it was compared.
+const PairAgreement* againstReference(const ValidationReport& report, std::size_t run) {
+  for (const PairAgreement& pair : report.pairs) {
+    if (pair.first == 0 && pair.second == run) return &pair;
+  }
+  return nullptr;
+}
+
+Table runTable(const ValidationReport& report) {
+  Table table{"runs",
+              {{"run", ""}, {"steps", ""}, {"evaluations", ""}, {"rejected", ""}, {"run time", "s"},
+               {"difference from exact", "of peak"}, {"order", ""}, {"failure", ""}},
+              {}};
+  for (std::size_t i = 0; i < report.runs.size(); ++i) {
+    const ValidationRun& run = report.runs[i];
+    Cell difference;
+    if (const PairAgreement* pair = againstReference(report, i)) {
+      double largest = 0.0;
+      for (const GroupAgreement& group : pair->groups) largest = std::max(largest, group.relative);
+      difference = largest;
+    }
+    table.rows.push_back({run.key.text(), run.statistics.steps, run.statistics.evaluations, run.statistics.rejected,
+                          run.wall_seconds, difference, optional(run.order),
+                          run.failure.empty() ? Cell() : Cell(run.failure)});
+  }
+  const bool none_failed = std::all_of(report.runs.begin(), report.runs.end(),
+                                       [](const ValidationRun& run) { return run.failure.empty(); });
+  if (none_failed) {
+    table.columns.pop_back();
+    for (std::vector<Cell>& row : table.rows) row.pop_back();
+  }
+  return table;
+}
+
+Table groupTable(const ValidationReport& report) {
+  Table table{"quantities against the exact solution of the matrix form",
+              {{"run", ""}, {"quantities", ""}, {"max error", "of peak"}, {"NRMSE", ""}, {"magnitude M", ""},
+               {"phase P", ""}, {"combined C", ""}, {"largest in", ""}},
+              {}};
+  for (const PairAgreement& pair : report.pairs) {
+    if (pair.first != 0 || report.runs[pair.second].key.refine != 1) continue;
+    for (const GroupAgreement& group : pair.groups) {
+      table.rows.push_back({report.runs[pair.second].key.text(), std::string(nameOf(group.group)), group.relative,
+                            group.nrmse, group.magnitude, group.phase, group.combined, group.column});
+    }
+  }
+  return table;
+}
+
+void addPair(Table& table, const ValidationReport& report, const PairAgreement& pair) {
+  const ColumnAgreement& worst = pair.columns[pair.worst];
+  table.rows.push_back({report.runs[pair.first].key.text(), report.runs[pair.second].key.text(), pair.relative,
+                        optional(pair.expected), std::string(nameOf(pair.verdict)), worst.column.name, pair.why});
+}
+
+const std::vector<TableColumn> kPairColumns = {{"run", ""},     {"against", ""}, {"difference", "of peak"}, {"expected", "of peak"},
+                                               {"verdict", ""}, {"nearest to its limit", ""}, {"expected because of", ""}};
+
+Table misfitTable(const ValidationReport& report) {
+  Table table{"not run", {{"form", ""}, {"method", ""}, {"why", ""}}, {}};
+  for (const Misfit& misfit : report.misfits) {
+    table.rows.push_back({misfit.form, misfit.method.empty() ? Cell() : Cell(misfit.method), misfit.reason});
+  }
+  return table;
+}
+
+std::string verdictOf(const ValidationReport& report) {
+  const std::size_t by_design = report.count(Verdict::kByDesign);
+  return fmt::format("{} pairs inside their expected size, {} outside{}{}", report.count(Verdict::kInside),
+                     report.count(Verdict::kOutside), by_design > 0 ? fmt::format(", {} differ by design", by_design) : "",
+                     report.stopped ? "; ended early" : "");
+}
+
+}  // namespace
+
+Document documentOf(const ValidationReport& report) {
+  Document document;
+  document.facts = {{"vehicle", report.vehicle, ""}, {"scenario", report.scenario, ""}, {"speed", report.speed, "m/s"},
+                    {"inside", report.inside(), ""}};
+  Table pairs{"pairs", kPairColumns, {}};
+  for (const PairAgreement& pair : report.pairs) addPair(pairs, report, pair);
+  document.tables = {runTable(report), groupTable(report), std::move(pairs), misfitTable(report)};
+  document.remarks = report.notes;
+  document.remarks.push_back(verdictOf(report));
+  return document;
+}
+
+Document documentOf(const std::vector<ValidationReport>& reports) {
+  Document document;
+  Table cases{"cases",
+              {{"vehicle", ""}, {"scenario", ""}, {"speed", "km/h"}, {"runs", ""}, {"inside", ""}, {"outside", ""},
+               {"by design", ""}, {"rounding", "of limit"}, {"integration", "of limit"}, {"geometry", "of limit"}},
+              {}};
+  Table outside{"pairs outside", kPairColumns, {}};
+  bool all_inside = true;
+  for (const ValidationReport& report : reports) {
+    all_inside = all_inside && report.inside();
+    Cell used[3];  // the pair nearest to its limit, by the main source of that limit
+    for (const PairAgreement& pair : report.pairs) {
+      if (pair.verdict == Verdict::kOutside) addPair(outside, report, pair);
+      if (!pair.source || !pair.expected || !(*pair.expected > 0.0)) continue;
+      Cell& cell = used[static_cast<int>(*pair.source)];
+      const double share = pair.relative / *pair.expected;
+      if (!std::holds_alternative<double>(cell) || std::get<double>(cell) < share) cell = share;
+    }
+    cases.rows.push_back({report.vehicle, report.scenario, 3.6 * report.speed, static_cast<long>(report.runs.size()),
+                          static_cast<long>(report.count(Verdict::kInside)),
+                          static_cast<long>(report.count(Verdict::kOutside)),
+                          static_cast<long>(report.count(Verdict::kByDesign)), used[0], used[1], used[2]});
+  }
+  document.facts = {{"cases", static_cast<long>(reports.size()), ""}, {"inside", all_inside, ""}};
+  document.tables = {std::move(cases), std::move(outside)};
+  return document;
+}
+
+std::vector<std::string> complaintsOf(const ValidationReport& report) {
+  std::vector<std::string> complaints;
+  const std::string where = fmt::format("{} on {} at {:.4g} m/s", report.vehicle, report.scenario, report.speed);
+  for (const ValidationRun& run : report.runs) {
+    if (!run.failure.empty()) complaints.push_back(fmt::format("{}: {}", where, run.failure));
+  }
+  for (const PairAgreement& pair : report.pairs) {
+    if (pair.verdict != Verdict::kOutside) continue;
+    const ColumnAgreement& worst = pair.columns[pair.worst];
+    complaints.push_back(fmt::format("{}: {} against {}: {} differs by {:.3g} {}, expected at most {:.3g} {} ({})", where,
+                                     report.runs[pair.first].key.text(), report.runs[pair.second].key.text(),
+                                     worst.column.name, worst.norms.max_difference, worst.column.unit,
+                                     worst.expected.value_or(0.0), worst.column.unit, pair.why));
+  }
+  return complaints;
+}
+
+}  // namespace vehicle::cli

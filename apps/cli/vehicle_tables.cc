@@ -1,0 +1,113 @@
+#include "apps/cli/vehicle_tables.h"
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "libvehicle/simulate/forms.h"
+
+namespace vehicle::cli {
+namespace {
+
+std::string_view nameOf(Motion motion) {
+  switch (motion) {
+    case Motion::kX: return "x";
+    case Motion::kY: return "y";
+    case Motion::kZ: return "z";
+    case Motion::kRoll: return "roll";
+    case Motion::kPitch: return "pitch";
+    case Motion::kYaw: return "yaw";
+  }
+  return "";
+}
+
+Cell orNothing(double value) { return value != 0.0 ? Cell(value) : Cell(); }
+
+template <class Part>
+void addReserved(Table& table, const std::vector<Part>& parts) {
+  for (const Part& part : parts) {
+    for (const ReservedQuantity& kept : part.reserved) table.rows.push_back({part.name, kept.attribute, kept.text});
+  }
+}
+
+}  // namespace
+
+Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& rest) {
+  Table table{"bodies",
+              {{"body", ""}, {"mass", "t"}, {"pitch inertia", "t m^2"}, {"x", "m"}, {"z", "m"}, {"motion", ""},
+               {"rest z", "mm"}, {"rest pitch", "mrad"}},
+              {}};
+  for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
+    const TopologyBody& body = topology.bodies[i];
+    std::string motion;
+    for (const Motion each : vehicle.bodies[i].motion) motion += fmt::format("{}{}", motion.empty() ? "" : " ", nameOf(each));
+    const auto at_rest = [&](int index) {
+      return index >= 0 ? Cell(1e3 * rest.coordinates[static_cast<std::size_t>(index)]) : Cell();
+    };
+    table.rows.push_back({body.name, body.mass / 1e3, orNothing(body.pitch_inertia / 1e3), body.x,
+                          topology.has_heights ? Cell(body.z) : Cell(), motion, at_rest(body.z_index),
+                          at_rest(body.pitch_index)});
+  }
+  return table;
+}
+
+Table wheelsetTable(const Topology& topology, const Rest& rest) {
+  Table table{"wheelsets",
+              {{"wheelset", ""}, {"x", "m"}, {"mass", "t"}, {"static load", "kN"}, {"contact stiffness", "MN/m"},
+               {"motion", ""}},
+              {}};
+  for (std::size_t i = 0; i < topology.wheelsets.size(); ++i) {
+    const TopologyWheelset& wheelset = topology.wheelsets[i];
+    table.rows.push_back({wheelset.name, wheelset.x, orNothing(wheelset.mass / 1e3), rest.wheel_load[i] / 1e3,
+                          orNothing(rest.contact_stiffness[i] / 1e6),
+                          std::string(wheelset.z_index >= 0 ? "z" : "follows the rail")});
+  }
+  return table;
+}
+
+Table suspensionTable(const Topology& topology, const Rest& rest) {
+  Table table{"suspensions",
+              {{"suspension", ""}, {"upper", ""}, {"lower", ""}, {"x", "m"}, {"stiffness", "kN/m"},
+               {"damping", "kN s/m"}, {"static load", "kN"}},
+              {}};
+  for (std::size_t i = 0; i < topology.suspensions.size(); ++i) {
+    const TopologySuspension& each = topology.suspensions[i];
+    const std::string lower = each.lower_body >= 0 ? topology.bodies[static_cast<std::size_t>(each.lower_body)].name
+                                                   : topology.wheelsets[static_cast<std::size_t>(each.lower_wheelset)].name;
+    table.rows.push_back({each.name, topology.bodies[static_cast<std::size_t>(each.upper)].name, lower, each.x,
+                          each.stiffness / 1e3, each.damping / 1e3, rest.suspension_load[i] / 1e3});
+  }
+  return table;
+}
+
+Table formTable(const Vehicle& vehicle) {
+  Table table{"forms", {{"form", ""}, {"fits", ""}, {"why not", ""}}, {}};
+  for (const std::string& form : formNames()) {
+    const ProblemList misfits = formMisfits(form, vehicle);
+    if (misfits.empty()) table.rows.push_back({form, true, {}});
+    for (const Problem& misfit : misfits) table.rows.push_back({form, false, misfit.text()});
+  }
+  return table;
+}
+
+Table unusedTable(const Vehicle& vehicle) {
+  Table table{"not used by the planar forms", {{"part", ""}, {"attribute", ""}, {"value", ""}}, {}};
+  addReserved(table, vehicle.elements);
+  addReserved(table, vehicle.bodies);
+  addReserved(table, vehicle.wheelsets);
+  addReserved(table, vehicle.suspensions);
+  for (const Body& body : vehicle.bodies) {
+    for (const Motion motion : body.motion) {
+      if (motion != Motion::kZ && motion != Motion::kPitch) {
+        table.rows.push_back({body.name, std::string("motion"), std::string(nameOf(motion))});
+      }
+    }
+  }
+  for (const Suspension& suspension : vehicle.suspensions) {
+    if (suspension.y) table.rows.push_back({suspension.name, std::string("y"), fmt::format("{} m", *suspension.y)});
+  }
+  return table;
+}
+
+}  // namespace vehicle::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "apps/cli/document.h"
+#include "libvehicle/definition/topology.h"
+#include "libvehicle/statics/rest.h"
+
+namespace vehicle::cli {
+
+// What `vehicle info` tells of a vehicle, one table a subject.
+
+/// Mass, inertia, place, motions, how far the body has come down at rest.
+[[nodiscard]] Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& rest);
+/// Place, mass, static load, how it meets the rail.
+[[nodiscard]] Table wheelsetTable(const Topology& topology, const Rest& rest);
+/// Ends, place, both sides' stiffness and damping, static load.
+[[nodiscard]] Table suspensionTable(const Topology& topology, const Rest& rest);
+/// Which forms fit and why the others do not, one line a reason.
+[[nodiscard]] Table formTable(const Vehicle& vehicle);
+/// What the planar forms do not use: kept in the file for the vehicle in three dimensions.
+[[nodiscard]] Table unusedTable(const Vehicle& vehicle);
+
+}  // namespace vehicle::cli

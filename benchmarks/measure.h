@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ctime>
+#include <string>
 
 #include <benchmark/benchmark.h>
 
@@ -22,7 +23,7 @@ template <class Solve>
 void measure(benchmark::State& state, const PaperCase& problem, double allowed_error, long steps, Solve solve) {
   const double error = problem.errorOf(solve());
   if (!(error <= allowed_error)) {
-    state.SkipWithError("error above what this comparison states: not the same problem");
+    state.SkipWithError(("error " + std::to_string(1e9 * error) + "e-9 is above what this comparison states: not the same problem").c_str());
     return;
   }
   double seconds = 0.0;

@@ -62,7 +62,7 @@ const bool kRegistered = [] {
       const OctaveRun run = runOctave();
       const double error = paperCase().errorOf(run.state);
       if (!(error <= kAdaptiveError)) {
-        state.SkipWithError("error above what this comparison states: not the same problem");
+        state.SkipWithError(("error " + std::to_string(1e9 * error) + "e-9 is above what this comparison states: not the same problem").c_str());
         return;
       }
       state.SetIterationTime(run.seconds);

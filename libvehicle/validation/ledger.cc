@@ -127,8 +127,11 @@ VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, const Vector
   if (run.method == "exact") return VectorXd::Zero(sensitivity.C.rows());
   if (run.method == "rk4") {
     // Order 4: err(h) = 16/15 |y(h) - y(h/2)|, err(h/2) = 1/15 of it. A method that has lost its order has a
-    // larger err(h/2) and falls outside there.
-    return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : 1.0 / 15.0) * step_difference;
+    // larger err(h/2) and falls outside there. A mode that the step does not resolve has lost all at h already, and
+    // of h/2 nothing is known but that it is not worse.
+    const bool resolved = rk4ResolvesAllModes(sensitivity.eigenvalues, run.step, the_case.duration);
+    const double half = resolved ? 1.0 / 15.0 : 16.0 / 15.0;
+    return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : half) * step_difference;
   }
   const VectorXd tolerance = stepTolerance(the_case, run);
   const double steps_per_second = static_cast<double>(run.steps) / the_case.duration;

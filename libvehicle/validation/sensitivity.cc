@@ -71,9 +71,9 @@ Sensitivity sensitivityOf(const System& system, double duration) {
   Sensitivity made;
   made.matrices = std::move(*matrices);
   probeOutputs(system, made);
-  const Eigen::VectorXcd eigenvalues = made.matrices.A.eigenvalues();
-  made.fastest = eigenvalues.cwiseAbs().maxCoeff();
-  made.slowest_decay = (-eigenvalues.real()).minCoeff();
+  made.eigenvalues = made.matrices.A.eigenvalues();
+  made.fastest = made.eigenvalues.cwiseAbs().maxCoeff();
+  made.slowest_decay = (-made.eigenvalues.real()).minCoeff();
   made.L = impulseSize(made, duration);
   return made;
 }
@@ -99,6 +99,13 @@ double largestStableRk4Step(const Eigen::MatrixXd& A) {
     largest = std::min(largest, stable);
   }
   return largest;
+}
+
+bool rk4ResolvesAllModes(const Eigen::VectorXcd& eigenvalues, double step, double duration) {
+  return std::all_of(eigenvalues.begin(), eigenvalues.end(), [&](const std::complex<double>& lambda) {
+    const double remembered = -lambda.real() * duration > 1.0 ? -1.0 / lambda.real() : duration;
+    return remembered / step * std::pow(step * std::abs(lambda), 5) / 120.0 < 0.5;
+  });
 }
 
 }  // namespace vehicle

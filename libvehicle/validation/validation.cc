@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -32,8 +33,10 @@ class Case {
 
   ValidationReport validate() {
     plan();
+    requireMemory();
     for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped; ++i) run(i);
     if (!report_.stopped) judge();
+    if (!report_.stopped) noteUnresolvedModes();
     return std::move(report_);
   }
 
@@ -129,21 +132,36 @@ class Case {
       run.key.steps = result.statistics.steps;
       run.wall_seconds = result.wall_seconds;
       report_.stopped = result.statistics.stopped;
-      if (index == 0) requireMemory(result.history);
       histories_.back() = std::move(result.history);
     } catch (const RunFailed& failure) {
       run.failure = failure.what();
     }
   }
 
-  void requireMemory(const TimeHistory& history) const {
-    const double each = 8.0 * static_cast<double>(history.samples()) * static_cast<double>(history.columns().size());
-    const double all = each * static_cast<double>(report_.runs.size());
+  void requireMemory() {
+    // A rig has no speed; what is wrong with the scenario otherwise is told by the first run.
+    if (!check(scenario_).empty()) return;
+    const double duration = scenario_.run.distance ? *scenario_.run.distance / report_.speed : *scenario_.run.duration;
+    const double samples = duration / scenario_.run.output_step + 1.0;
+    const double columns = static_cast<double>(equations("matrix").system->outputs().size() + 1);
+    const double all = 8.0 * samples * columns * static_cast<double>(report_.runs.size());
     if (all > kMostBytes) {
       throw std::invalid_argument(
-          fmt::format("{} runs of {} samples need {:.1f} GiB, allowed are {:.0f}; take a longer output_step, a shorter "
+          fmt::format("{} runs of {:.0f} samples need {:.1f} GiB, allowed are {:.0f}; take a longer output_step, a shorter "
                       "duration or fewer forms and methods",
-                      report_.runs.size(), history.samples(), all / 1073741824.0, kMostBytes / 1073741824.0));
+                      report_.runs.size(), samples, all / 1073741824.0, kMostBytes / 1073741824.0));
+    }
+  }
+
+  void noteUnresolvedModes() {
+    for (std::size_t i = 0; i < report_.runs.size(); ++i) {
+      const RunKey& key = report_.runs[i].key;
+      if (key.method != "rk4" || key.refine != 2 || !finished(i)) continue;
+      const CaseSize& size = sizeFor(i);
+      if (rk4ResolvesAllModes(size.sensitivity.eigenvalues, key.step, size.duration)) continue;
+      report_.notes.push_back(
+          fmt::format("{} rk4: {:.4g} ms does not resolve the fastest mode ({:.4g} Hz), so its order is not judged", key.form,
+                      1e3 * key.step, size.sensitivity.fastest / (2.0 * std::numbers::pi)));
     }
   }
 

@@ -1,4 +1,5 @@
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -43,9 +44,10 @@ class EveryVehicle : public ::testing::TestWithParam<Named> {};
 
 // The ledger derives its sizes from each vehicle, track and speed: none of them may need a size of its own.
 TEST_P(EveryVehicle, IsInsideOnHarmonicsSlowlyAndOnDipsFast) {
-  for (const auto& [scenario, speed] : {std::pair(harmonics(2.0), 8.0), std::pair(dips(1.5), 45.0)}) {
+  for (const auto& [scenario, speed] : {std::pair(harmonics(1.2), 8.0), std::pair(dips(1.0), 45.0)}) {
     ValidationChoice choice;
     choice.run.speed = speed;
+    choice.run.accuracy = 1e-8;  // the contact at 200 Hz costs simbody_rkm ten times the steps at 1e-10
     const ValidationReport report = validate(GetParam().vehicle, scenario, choice);
     EXPECT_TRUE(report.inside()) << speed << " m/s";
     EXPECT_GT(report.count(Verdict::kInside), 30u);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
+
 #include "tests/support/tolerance.h"
 
 namespace vehicle {
@@ -77,6 +79,13 @@ TEST(LargestStableRk4Step, OfARealModeIsTheKnownLimit) {
 
 TEST(LargestStableRk4Step, OfAnUndampedOscillatorIsNotLimitedHere) {
   EXPECT_TRUE(std::isinf(largestStableRk4Step(Oscillator(3.0, 0.0).linear()->A)));
+}
+
+// A mode at 7 1/s over 10 s at 1 ms loses 10 * 1e-3^4 * 7^5 / 120 = 1.4e-9; at 200 ms it is gone.
+TEST(Rk4ResolvesAllModes, TellsAStepThatFollowsTheFastestModeFromOneThatDoesNot) {
+  const Eigen::VectorXcd eigenvalues = Oscillator(7.0, 0.01).linear()->A.eigenvalues();
+  EXPECT_TRUE(rk4ResolvesAllModes(eigenvalues, 1e-3, 10.0));
+  EXPECT_FALSE(rk4ResolvesAllModes(eigenvalues, 0.2, 10.0));
 }
 
 }  // namespace

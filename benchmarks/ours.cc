@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "benchmarks/measure.h"
+#include "libvehicle/integrate/adaptive_run.h"
+#include "libvehicle/integrate/dopri5.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/integrate/run.h"
@@ -66,7 +68,8 @@ State solveExact(const PaperCase& problem) {
 
 State solveDopri5(const PaperCase& problem) {
   return lastOf([&](const Observer& observe) {
-    runDopri5(*problem.form, problem.input, problem.whole, {.relative = 1e-9, .absolute = 1e-12}, kRest, observe);
+    Dopri5<FlatRhs, kStates> stepper(*problem.form->rhs());
+    runAdaptive(stepper, problem.input, problem.whole, {.relative = 1e-9, .absolute = 1e-12}, kRest, observe);
   });
 }
 

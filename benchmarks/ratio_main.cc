@@ -52,7 +52,7 @@ class RatioReporter : public benchmark::ConsoleReporter {
       if (!ours.solver.starts_with("ours")) continue;
       for (const auto& [peerName, peer] : measurements_) {
         if (peer.problem != ours.problem || peer.solver.starts_with("ours")) continue;
-        fmt::print("{:<24} {:<26} {:>12.4g} {:>9.1e}   {:.3f} x {} ({:.4g} ns, error {:.1e})\n", ours.problem,
+        fmt::print("{:<24} {:<26} {:>12.4g} {:>9.1e}   {:.3g} x {} ({:.4g} ns, error {:.1e})\n", ours.problem,
                    ours.solver, ours.median, ours.error, ours.median / peer.median, peer.solver, peer.median, peer.error);
       }
     }

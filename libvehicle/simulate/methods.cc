@@ -6,7 +6,7 @@
 
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/mbs/mbs_form.h"
-#include "libvehicle/simulate/flat_rk4.h"
+#include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/forms.h"
 
 namespace vehicle {
@@ -32,13 +32,15 @@ std::string defaultMethod(const std::string& form) { return isLinearForm(form) ?
 Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,
                      const MethodSettings& settings, std::span<const double> x0, const Observer& observe) {
   if (method == "exact") return runExact(system, input, schedule, x0, observe);
-  if (method == "dopri5") return runDopri5(system, input, schedule, settings.accuracy, x0, observe);
+  // The paper's own form is the one that is run most: its equations come without a virtual call.
+  const auto* flat = dynamic_cast<const FlatForm*>(&system);
+  if (method == "dopri5") {
+    return flat != nullptr ? runFlatDopri5(*flat, input, schedule, settings.accuracy, x0, observe)
+                           : runDopri5(system, input, schedule, settings.accuracy, x0, observe);
+  }
   if (method == "rk4") {
-    // The paper's own pair is the one that is run most: it gets its equations without a virtual call.
-    if (const auto* flat = dynamic_cast<const FlatForm*>(&system)) {
-      return runFlatRk4(*flat, input, schedule, settings.step, x0, observe);
-    }
-    return runRk4(system, input, schedule, settings.step, x0, observe);
+    return flat != nullptr ? runFlatRk4(*flat, input, schedule, settings.step, x0, observe)
+                           : runRk4(system, input, schedule, settings.step, x0, observe);
   }
   const auto* mbs = dynamic_cast<const MbsForm*>(&system);
   if (mbs == nullptr) throw std::invalid_argument("simbody_rkm: the form is not made of Simbody bodies");

@@ -1,9 +1,11 @@
-#include "libvehicle/simulate/flat_rk4.h"
+#include "libvehicle/simulate/flat_by_type.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
+#include "libvehicle/integrate/adaptive_run.h"
+#include "libvehicle/integrate/dopri5.h"
 #include "libvehicle/integrate/failure.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
@@ -34,13 +36,11 @@ Input reordered(const Input& input, const std::array<int, 4>& order) {
   return Input(input.channels(), std::move(segments));
 }
 
-}  // namespace
-
-Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                      std::span<const double> x0, const Observer& observe) {
-  if (form.rhs() == nullptr) return runRk4(form, input, schedule, step, x0, observe);
-  checkStart("rk4", x0, form.size());
-
+// Runs in the form's inner order, shows in the vehicle's.
+// @param run  callable as run(input, x0, observer), all in inner order
+template <class Run>
+Statistics runInInnerOrder(const FlatForm& form, const Input& input, std::span<const double> x0,
+                           const Observer& observe, Run run) {
   const std::array<int, 8>& order = form.stateOrder();
   std::array<double, 8> inner{};
   std::array<double, 8> outer{};
@@ -49,8 +49,29 @@ Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& 
     for (std::size_t i = 0; i < outer.size(); ++i) outer[static_cast<std::size_t>(order[i])] = x[i];
     return observe(sample, segment, t, outer);
   };
-  Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
-  return runFixedStep(stepper, reordered(input, form.wheelOrder()), schedule, step, inner, observeInVehicleOrder);
+  return run(reordered(input, form.wheelOrder()), inner, observeInVehicleOrder);
+}
+
+}  // namespace
+
+Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
+                      std::span<const double> x0, const Observer& observe) {
+  if (form.rhs() == nullptr) return runRk4(form, input, schedule, step, x0, observe);
+  checkStart("rk4", x0, form.size());
+  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x, const Observer& show) {
+    Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
+    return runFixedStep(stepper, u, schedule, step, x, show);
+  });
+}
+
+Statistics runFlatDopri5(const FlatForm& form, const Input& input, const Schedule& schedule, Accuracy accuracy,
+                         std::span<const double> x0, const Observer& observe) {
+  if (form.rhs() == nullptr) return runDopri5(form, input, schedule, accuracy, x0, observe);
+  checkStart("dopri5", x0, form.size());
+  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x, const Observer& show) {
+    Dopri5<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
+    return runAdaptive(stepper, u, schedule, accuracy, x, show);
+  });
 }
 
 }  // namespace vehicle

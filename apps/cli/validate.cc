@@ -23,6 +23,7 @@ struct Options {
   ModelFiles files;  // the first may be a suite
   ValidationChoice choice;
   CommonOptions common;
+  bool details = false;
 };
 
 struct Work {
@@ -81,7 +82,9 @@ int validateAll(const Options& options) {
   const bool stopped = reports.back().stopped;
   // A case that was broken off was not judged.
   if (stopped && work.is_suite) reports.pop_back();
-  print(work.is_suite ? documentOf(reports) : documentOf(reports.front()), options.common.format, std::cout);
+  // What a program reads is told in full.
+  const auto detail = options.details || options.common.format != Format::kTable ? Detail::kAll : Detail::kSummary;
+  print(work.is_suite ? documentOf(reports) : documentOf(reports.front(), detail), options.common.format, std::cout);
   bool inside = true, failed = false;
   for (const ValidationReport& report : reports) {
     inside = inside && (report.inside() || report.stopped);
@@ -107,6 +110,7 @@ Action addValidate(CLI::App& program) {
             "only this form; may be given several times, and names printed variants too\n(default: all but the printed variants)");
   add_names("--method", options->choice.methods, methodNames(), "only this method; may be given several times   (default: all)");
   addRunSettings(*command, options->choice.run);
+  command->add_flag("--details", options->details, "table: every quantity of every run and every pair   (csv and json: always)");
   addCommonOptions(*command, options->common);
   command->footer("Each pair of runs has an expected size of disagreement and a reason for it: rounding, integration error,\n"
                   "or true geometry. A pair outside ends the program with exit status 4 and is named on stderr.\n"

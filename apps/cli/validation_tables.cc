@@ -1,6 +1,7 @@
 #include "apps/cli/validation_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -44,13 +45,15 @@ Table runTable(const ValidationReport& report) {
   return table;
 }
 
-Table groupTable(const ValidationReport& report) {
+// The quantities of those runs that `shown` accepts.
+template <class Shown>
+Table groupTable(const ValidationReport& report, Shown shown) {
   Table table{"quantities against the exact solution of the matrix form",
               {{"run", ""}, {"quantities", ""}, {"max error", "of peak"}, {"NRMSE", ""}, {"magnitude M", ""},
                {"phase P", ""}, {"combined C", ""}, {"largest in", ""}},
               {}};
   for (const PairAgreement& pair : report.pairs) {
-    if (pair.first != 0 || report.runs[pair.second].key.refine != 1) continue;
+    if (pair.first != 0 || report.runs[pair.second].key.refine != 1 || !shown(pair)) continue;
     for (const GroupAgreement& group : pair.groups) {
       table.rows.push_back({report.runs[pair.second].key.text(), std::string(nameOf(group.group)), group.relative,
                             group.nrmse, group.magnitude, group.phase, group.combined, group.column});
@@ -67,6 +70,50 @@ void addPair(Table& table, const ValidationReport& report, const PairAgreement& 
 
 const std::vector<TableColumn> kPairColumns = {{"run", ""},     {"against", ""}, {"difference", "of peak"}, {"expected", "of peak"},
                                                {"verdict", ""}, {"nearest to its limit", ""}, {"expected because of", ""}};
+
+// Two forms, or two methods on one form: how many of their pairs are inside, and the pair of which least
+// disagreement was expected, because that one says most.
+Table formTable(const ValidationReport& report) {
+  struct Entry {
+    std::string first, second;
+    long pairs = 0, inside = 0;
+    const PairAgreement* strictest = nullptr;
+  };
+  std::vector<Entry> entries;
+  for (const PairAgreement& pair : report.pairs) {
+    std::string first = report.runs[pair.first].key.form;
+    std::string second = report.runs[pair.second].key.form;
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& each) {
+      return (each.first == first && each.second == second) || (each.first == second && each.second == first);
+    });
+    Entry& found = entry == entries.end() ? entries.emplace_back(Entry{first, second}) : *entry;
+    ++found.pairs;
+    found.inside += pair.verdict == Verdict::kInside ? 1 : 0;
+    const auto size = [](const PairAgreement* each) { return each->expected.value_or(HUGE_VAL); };
+    if (found.strictest == nullptr || size(&pair) < size(found.strictest)) found.strictest = &pair;
+  }
+  Table table{"form against form",
+              {{"form", ""}, {"against", ""}, {"pairs", ""}, {"inside", ""}, {"strictest pair", ""},
+               {"difference", "of peak"}, {"expected", "of peak"}, {"because of", ""}},
+              {}};
+  for (const Entry& each : entries) {
+    const PairAgreement& pair = *each.strictest;
+    const RunKey& a = report.runs[pair.first].key;
+    const RunKey& b = report.runs[pair.second].key;
+    const std::string methods = fmt::format("{} / {}", a.text().substr(a.form.size() + 1), b.text().substr(b.form.size() + 1));
+    table.rows.push_back({each.first, each.second, each.pairs, each.inside, methods, pair.relative,
+                          optional(pair.expected), pair.why});
+  }
+  return table;
+}
+
+// Of each form the run that is farthest from the exact solution.
+bool isWorstOfItsForm(const ValidationReport& report, const PairAgreement& pair) {
+  return std::none_of(report.pairs.begin(), report.pairs.end(), [&](const PairAgreement& other) {
+    return other.first == 0 && report.runs[other.second].key.form == report.runs[pair.second].key.form &&
+           report.runs[other.second].key.refine == 1 && other.relative > pair.relative;
+  });
+}
 
 Table misfitTable(const ValidationReport& report) {
   Table table{"not run", {{"form", ""}, {"method", ""}, {"why", ""}}, {}};
@@ -85,13 +132,16 @@ std::string verdictOf(const ValidationReport& report) {
 
 }  // namespace
 
-Document documentOf(const ValidationReport& report) {
+Document documentOf(const ValidationReport& report, Detail detail) {
   Document document;
   document.facts = {{"vehicle", report.vehicle, ""}, {"scenario", report.scenario, ""}, {"speed", report.speed, "m/s"},
                     {"inside", report.inside(), ""}};
   Table pairs{"pairs", kPairColumns, {}};
-  for (const PairAgreement& pair : report.pairs) addPair(pairs, report, pair);
-  document.tables = {runTable(report), groupTable(report), std::move(pairs), misfitTable(report)};
+  for (const PairAgreement& pair : report.pairs) {
+    if (detail == Detail::kAll || pair.verdict == Verdict::kOutside) addPair(pairs, report, pair);
+  }
+  const auto shown = [&](const PairAgreement& pair) { return detail == Detail::kAll || isWorstOfItsForm(report, pair); };
+  document.tables = {runTable(report), groupTable(report, shown), formTable(report), std::move(pairs), misfitTable(report)};
   document.remarks = report.notes;
   document.remarks.push_back(verdictOf(report));
   return document;

@@ -7,9 +7,15 @@
 
 namespace vehicle::cli {
 
-/// One case in full: its runs, every quantity group of every run against the exact solution, every pair with its
-/// expected size and why, what does not fit.
-[[nodiscard]] Document documentOf(const ValidationReport& report);
+/// How much of a case is told.
+enum class Detail {
+  kSummary,  // quantities of the worst run of each form; pairs counted form by form, named where outside
+  kAll,      // quantities of every run, every pair
+};
+
+/// One case: its runs, quantity groups against the exact solution, form against form, pairs with their expected
+/// size and why, what does not fit.
+[[nodiscard]] Document documentOf(const ValidationReport& report, Detail detail);
 
 /// A suite: one line a case, and the pairs outside in full.
 [[nodiscard]] Document documentOf(const std::vector<ValidationReport>& reports);

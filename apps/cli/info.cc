@@ -39,7 +39,8 @@ int printInfo(const Options& options) {
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
   document.tables = {bodyTable(vehicle, topology, rest), wheelsetTable(topology, rest),
-                     suspensionTable(topology, rest), formTable(vehicle), unusedTable(vehicle)};
+                     suspensionTable(topology, rest), formTable(vehicle), misfitTable(vehicle),
+                     unusedTable(vehicle)};
   print(document, options.common.format, std::cout);
   return kDone;
 }

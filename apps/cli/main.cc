@@ -38,7 +38,7 @@ int run(int argc, char** argv) {
   CLI::App program("Rail vehicle dynamics: one XML vehicle, several forms that check each other.", "vehicle");
   program.formatter(std::make_shared<HelpLayout>());
   program.set_help_flag("--help", "this page; vehicle COMMAND --help tells what the command takes");
-  program.set_version_flag("--version", "vehicle " VEHICLE_VERSION);
+  program.set_version_flag("--version", "vehicle " VEHICLE_VERSION, "name and version");
   program.require_subcommand(1);
   program.footer("Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml");
   std::vector<std::pair<const CLI::App*, Action>> actions;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <complex>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -26,6 +27,13 @@ struct Options {
   CommonOptions common;
 };
 
+/// In (-180, 180]; what rounding leaves of 0 and of 180 is 0 and 180.
+double phaseInDegrees(std::complex<double> entry) {
+  const double phase = std::arg(entry) * 180.0 / std::numbers::pi;
+  if (std::abs(phase) < 1e-9) return 0.0;
+  return phase < -180.0 + 1e-9 ? 180.0 : phase;
+}
+
 int printModes(const Options& options) {
   const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
   const std::string form = options.form.empty() ? defaultForm(vehicle) : options.form;
@@ -49,7 +57,7 @@ int printModes(const Options& options) {
       // Below rounding a coordinate does not take part, and its phase would be noise.
       if (size < 1e-9) continue;
       shapes.rows.push_back({number, coordinate.name, coordinate.unit, size,
-                             std::arg(mode.shape(i)) * 180.0 / std::numbers::pi});
+                             phaseInDegrees(mode.shape(i))});
     }
   }
   print({{{"vehicle", vehicle.name, ""}, {"form", form, ""}}, {eigenvalues, shapes}, {}}, options.common.format, std::cout);

@@ -1,6 +1,7 @@
 #include "apps/cli/options.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -38,6 +39,11 @@ std::string argumentOf(const CLI::Option& option) {
   std::string name = option.get_type_name();
   if (option.get_items_expected_max() > 1) name += "...";
   return option.get_required() ? name : "[" + name + "]";
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text.ends_with('.') ? text : text + ".";
 }
 
 /// Two columns; what follows a line break in `right` is set below its first line.
@@ -84,7 +90,7 @@ CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension d
     }
     store(*quantity.si);
   };
-  std::string type(describe(dimension).name);
+  std::string type(dimension == Dimension::kNumber ? "number" : describe(dimension).name);
   std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return command.add_option_function<std::string>(name, read, help)->type_name(type);
 }
@@ -131,7 +137,7 @@ std::string HelpLayout::make_help(const CLI::App* app, std::string, CLI::AppForm
   for (const CLI::App* command : app->get_subcommands(nullptr)) {
     commands.emplace_back(command->get_name(), command->get_description());
   }
-  std::string text = usage + " [options]\n\n" + app->get_description() + "\n\n";
+  std::string text = usage + " [options]\n\n" + sentence(app->get_description()) + "\n\n";
   if (!commands.empty()) text += twoColumns(commands) + "\n";
   if (!arguments.empty()) text += twoColumns(arguments) + "\n";
   return text + twoColumns(options) + "\n" + app->get_footer() + "\n" + kExitStatusHelp + "\n";
@@ -155,6 +161,15 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
   if (chosen.empty() && !unread.empty()) return fmt::format("{}: {}", name, unknown("command ", unread.front(), commandNames(program)));
   if (chosen.empty()) return fmt::format("{}: a command is missing; see vehicle --help", name);
   if (!unread.empty()) return fmt::format("{}: \"{}\" is one argument too many; see {} --help", name, unread.front(), name);
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional() && option->get_required() && option->count() == 0) {
+      return fmt::format("{}: {} is missing; see {} --help", name, option->get_type_name(), name);
+    }
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    const std::string text = error.what();
+    return fmt::format("{}: {} needs a value; see {} --help", name, text.substr(0, text.find(':')), name);
+  }
   return fmt::format("{}: {}; see {} --help", name, error.what(), name);
 }
 

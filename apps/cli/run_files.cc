@@ -31,9 +31,9 @@ RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice&
                        {"scenario", model.scenario.name},
                        {"form", result.form},
                        {"method", result.method},
-                       {"speed [m/s]", fmt::format("{}", result.speed)},
-                       {"gravity [m/s^2]", fmt::format("{}", model.scenario.gravity)}};
-  if (result.method == "rk4") record.attributes.emplace_back("step [s]", fmt::format("{}", choice.step));
+                       {"speed", fmt::format("{} m/s", result.speed)},
+                       {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
+  if (result.method == "rk4") record.attributes.emplace_back("step", fmt::format("{} s", choice.step));
   if (result.method == "dopri5") {
     record.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
     record.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));

@@ -79,21 +79,20 @@ int validateAll(const Options& options) {
       if (reports.back().stopped) break;
     }
   }
+  const ExitStatus status = exitStatusOf(reports);
   const bool stopped = reports.back().stopped;
   // A case that was broken off was not judged.
-  if (stopped && work.is_suite) reports.pop_back();
-  // What a program reads is told in full.
-  const auto detail = options.details || options.common.format != Format::kTable ? Detail::kAll : Detail::kSummary;
-  print(work.is_suite ? documentOf(reports) : documentOf(reports.front(), detail), options.common.format, std::cout);
-  bool inside = true, failed = false;
-  for (const ValidationReport& report : reports) {
-    inside = inside && (report.inside() || report.stopped);
-    for (const std::string& complaint : complaintsOf(report)) std::cerr << "vehicle: " << complaint << '\n';
-    for (const ValidationRun& run : report.runs) failed = failed || !run.failure.empty();
+  if (stopped) reports.pop_back();
+  if (work.is_suite) print(documentOf(reports), options.common.format, std::cout);
+  if (!work.is_suite && !stopped) {
+    const bool all = options.details || options.common.format != Format::kTable;
+    print(documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary), options.common.format, std::cout);
   }
-  if (stopped) std::cerr << fmt::format("vehicle: interrupted; {} of {} cases are finished\n", work.is_suite ? reports.size() : 0, work.cases.size());
-  if (!inside) return failed ? kRunFailed : kCheckDidNotHold;
-  return stopped ? kInterrupted : kDone;
+  for (const ValidationReport& report : reports) {
+    for (const std::string& complaint : complaintsOf(report)) std::cerr << "vehicle: " << complaint << '\n';
+  }
+  if (stopped) std::cerr << fmt::format("vehicle: interrupted; {} of {} cases are finished\n", reports.size(), work.cases.size());
+  return status;
 }
 
 }  // namespace

@@ -192,4 +192,16 @@ std::vector<std::string> complaintsOf(const ValidationReport& report) {
   return complaints;
 }
 
+ExitStatus exitStatusOf(const std::vector<ValidationReport>& reports) {
+  bool inside = true, failed = false, stopped = false;
+  for (const ValidationReport& report : reports) {
+    inside = inside && (report.inside() || report.stopped);
+    stopped = stopped || report.stopped;
+    for (const ValidationRun& run : report.runs) failed = failed || !run.failure.empty();
+  }
+  if (failed) return kRunFailed;
+  if (!inside) return kCheckDidNotHold;
+  return stopped ? kInterrupted : kDone;
+}
+
 }  // namespace vehicle::cli

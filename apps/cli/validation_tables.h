@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "apps/cli/document.h"
+#include "apps/cli/exit_status.h"
 #include "libvehicle/validation/validation.h"
 
 namespace vehicle::cli {
@@ -22,5 +23,8 @@ enum class Detail {
 
 /// "flat rk4 against mbs dopri5: ... " for every pair outside and every run that failed, one line each.
 [[nodiscard]] std::vector<std::string> complaintsOf(const ValidationReport& report);
+
+/// A failed run comes before a pair outside, that before an early end.
+[[nodiscard]] ExitStatus exitStatusOf(const std::vector<ValidationReport>& reports);
 
 }  // namespace vehicle::cli

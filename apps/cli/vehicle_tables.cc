@@ -1,7 +1,10 @@
 #include "apps/cli/vehicle_tables.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -43,7 +46,10 @@ Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& re
     std::string motion;
     for (const Motion each : vehicle.bodies[i].motion) motion += fmt::format("{}{}", motion.empty() ? "" : " ", nameOf(each));
     const auto at_rest = [&](int index) {
-      return index >= 0 ? Cell(1e3 * rest.coordinates[static_cast<std::size_t>(index)]) : Cell();
+      if (index < 0) return Cell();
+      const double value = rest.coordinates[static_cast<std::size_t>(index)];
+      // A femtometre is what rounding leaves of a pitch that is zero.
+      return Cell(std::abs(value) < 1e-14 ? 0.0 : 1e3 * value);
     };
     table.rows.push_back({body.name, body.mass / 1e3, orNothing(body.pitch_inertia / 1e3), body.x,
                           topology.has_heights ? Cell(body.z) : Cell(), motion, at_rest(body.z_index),
@@ -82,11 +88,26 @@ Table suspensionTable(const Topology& topology, const Rest& rest) {
 }
 
 Table formTable(const Vehicle& vehicle) {
-  Table table{"forms", {{"form", ""}, {"fits", ""}, {"why not", ""}}, {}};
+  Table table{"forms", {{"form", ""}, {"fits", ""}}, {}};
+  for (const std::string& form : formNames()) table.rows.push_back({form, formMisfits(form, vehicle).empty()});
+  return table;
+}
+
+Table misfitTable(const Vehicle& vehicle) {
+  Table table{"why not", {{"line", ""}, {"element", ""}, {"why", ""}, {"remedy", ""}, {"forms", ""}}, {}};
   for (const std::string& form : formNames()) {
-    const ProblemList misfits = formMisfits(form, vehicle);
-    if (misfits.empty()) table.rows.push_back({form, true, {}});
-    for (const Problem& misfit : misfits) table.rows.push_back({form, false, misfit.text()});
+    for (const Problem& misfit : formMisfits(form, vehicle)) {
+      const std::vector<Cell> reason = {static_cast<long>(misfit.place.line), misfit.element, misfit.message, misfit.remedy};
+      const auto known = std::find_if(table.rows.begin(), table.rows.end(), [&](const std::vector<Cell>& row) {
+        return std::equal(reason.begin(), reason.end(), row.begin());
+      });
+      if (known != table.rows.end()) {
+        std::get<std::string>(known->back()) += ", " + form;
+      } else {
+        table.rows.push_back(reason);
+        table.rows.back().push_back(form);
+      }
+    }
   }
   return table;
 }

@@ -14,8 +14,10 @@ namespace vehicle::cli {
 [[nodiscard]] Table wheelsetTable(const Topology& topology, const Rest& rest);
 /// Ends, place, both sides' stiffness and damping, static load.
 [[nodiscard]] Table suspensionTable(const Topology& topology, const Rest& rest);
-/// Which forms fit and why the others do not, one line a reason.
+/// Which forms fit.
 [[nodiscard]] Table formTable(const Vehicle& vehicle);
+/// Why the others do not, one line a reason with the forms that give it.
+[[nodiscard]] Table misfitTable(const Vehicle& vehicle);
 /// What the planar forms do not use: kept in the file for the vehicle in three dimensions.
 [[nodiscard]] Table unusedTable(const Vehicle& vehicle);
 

@@ -27,13 +27,13 @@ std::optional<Index> velocityOf(const std::vector<Channel>& columns, const std::
 }
 
 CaseSize sizeOfCase(const System& system, Topology topology, Rest rest, const Input& input,
-                    const TimeHistory& reference) {
+                    const TimeHistory& reference, double output_step) {
   CaseSize made;
   made.topology = std::move(topology);
   made.rest = std::move(rest);
   made.columns = system.outputs();
   made.duration = reference.at(reference.samples() - 1, 0) - reference.at(0, 0);
-  made.output_step = made.duration / static_cast<double>(reference.samples() - 1);
+  made.output_step = output_step;
   made.sensitivity = sensitivityOf(system, made.duration);
 
   const Index outputs = static_cast<Index>(made.columns.size());

@@ -28,9 +28,10 @@ struct CaseSize {
 };
 
 /// @param system     the linear form whose equations the runs have
-/// @param reference  a history of these equations
+/// @param reference  a history of these equations, samples close enough to show its peaks
+/// @param output_step  [s] of the runs that are judged
 [[nodiscard]] CaseSize sizeOfCase(const System& system, Topology topology, Rest rest, const Input& input,
-                                  const TimeHistory& reference);
+                                  const TimeHistory& reference, double output_step);
 
 /// Place of a column of that name, if there is one.
 [[nodiscard]] std::optional<Eigen::Index> columnOf(const std::vector<Channel>& columns, const std::string& name);

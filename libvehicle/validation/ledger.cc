@@ -24,7 +24,8 @@ constexpr double kUlp = 0x1p-52;
 // simbody_rkm 0.050 of the worst sum), because errors change sign and the tolerance bounds the lower order's error.
 constexpr double kDopri5Share = 0.05;
 constexpr double kSimbodyShare = 0.15;
-// Richardson's estimate is the leading term; twice it covers the following ones while h |lambda| < 1.
+// Richardson's estimate is the leading term; twice it covers the following ones at steps that resolve
+// every mode (resolvingRk4Step).
 constexpr double kRichardson = 2.0;
 // First-order perturbation, evaluated with the peaks of the linear run: half as much again for the next order.
 constexpr double kGeometry = 1.5;
@@ -127,11 +128,8 @@ VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, const Vector
   if (run.method == "exact") return VectorXd::Zero(sensitivity.C.rows());
   if (run.method == "rk4") {
     // Order 4: err(h) = 16/15 |y(h) - y(h/2)|, err(h/2) = 1/15 of it. A method that has lost its order has a
-    // larger err(h/2) and falls outside there. A mode that the step does not resolve has lost all at h already, and
-    // of h/2 nothing is known but that it is not worse.
-    const bool resolved = rk4ResolvesAllModes(sensitivity.eigenvalues, run.step, the_case.duration);
-    const double half = resolved ? 1.0 / 15.0 : 16.0 / 15.0;
-    return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : half) * step_difference;
+    // larger err(h/2) and falls outside there.
+    return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : 1.0 / 15.0) * step_difference;
   }
   const VectorXd tolerance = stepTolerance(the_case, run);
   const double steps_per_second = static_cast<double>(run.steps) / the_case.duration;

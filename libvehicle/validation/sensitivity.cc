@@ -71,41 +71,23 @@ Sensitivity sensitivityOf(const System& system, double duration) {
   Sensitivity made;
   made.matrices = std::move(*matrices);
   probeOutputs(system, made);
-  made.eigenvalues = made.matrices.A.eigenvalues();
-  made.fastest = made.eigenvalues.cwiseAbs().maxCoeff();
-  made.slowest_decay = (-made.eigenvalues.real()).minCoeff();
+  const Eigen::VectorXcd eigenvalues = made.matrices.A.eigenvalues();
+  made.fastest = eigenvalues.cwiseAbs().maxCoeff();
+  made.slowest_decay = (-eigenvalues.real()).minCoeff();
   made.L = impulseSize(made, duration);
   return made;
 }
 
-double largestStableRk4Step(const Eigen::MatrixXd& A) {
-  double largest = std::numeric_limits<double>::infinity();
+double resolvingRk4Step(const Eigen::MatrixXd& A, double duration) {
+  constexpr double kLargestLoss = 0.05;
+  double step = std::numeric_limits<double>::infinity();
   const Eigen::VectorXcd eigenvalues = A.eigenvalues();
   for (const std::complex<double>& lambda : eigenvalues) {
-    const double size = std::abs(lambda);
-    // An undamped mode lies on the imaginary axis but for rounding: rk4 carries it up to |h lambda| = 2.83.
-    if (!(lambda.real() < -1e-9 * size)) continue;
-    const auto growth = [&](double h) {
-      const std::complex<double> z = h * lambda;
-      return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
-    };
-    // The stability region is star-shaped about 0 in the left half plane and ends between |z| = 2.6 and 3.
-    double stable = 1.0 / size;
-    double unstable = 4.0 / size;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (stable + unstable);
-      (growth(middle) <= 1.0 ? stable : unstable) = middle;
-    }
-    largest = std::min(largest, stable);
-  }
-  return largest;
-}
-
-bool rk4ResolvesAllModes(const Eigen::VectorXcd& eigenvalues, double step, double duration) {
-  return std::all_of(eigenvalues.begin(), eigenvalues.end(), [&](const std::complex<double>& lambda) {
     const double remembered = -lambda.real() * duration > 1.0 ? -1.0 / lambda.real() : duration;
-    return remembered / step * std::pow(step * std::abs(lambda), 5) / 120.0 < 0.5;
-  });
+    // remembered / h |h lambda|^5 / 120 = kLargestLoss; a motion without stiffness (lambda = 0) asks for nothing.
+    step = std::min(step, std::pow(120.0 * kLargestLoss / (remembered * std::pow(std::abs(lambda), 5)), 0.25));
+  }
+  return step;
 }
 
 }  // namespace vehicle

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include "libvehicle/excitation/excitation.h"
@@ -36,7 +36,6 @@ class Case {
     requireMemory();
     for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped; ++i) run(i);
     if (!report_.stopped) judge();
-    if (!report_.stopped) noteUnresolvedModes();
     return std::move(report_);
   }
 
@@ -45,10 +44,22 @@ class Case {
     std::string name;
     std::unique_ptr<System> system;
     std::optional<CaseSize> size;
+    std::optional<double> rk4_step;  // [s]
   };
 
+  /// What simulate() would refuse, told before anything is built of it.
+  void requireRight() const {
+    ProblemList problems = check(vehicle_);
+    problems.append(check(scenario_));
+    if (problems.empty()) problems.append(check(scenario_, vehicle_));
+    if (!problems.empty()) throw InvalidInput(std::move(problems));
+    const double step = choice_.run.step;
+    if (!(std::isfinite(step) && step > 0.0)) throw std::invalid_argument(fmt::format("step = {} s, must be finite and > 0", step));
+  }
+
   void plan() {
-    add("matrix", "exact", 1);
+    requireRight();
+    add("matrix", "exact", 1, choice_.run.step);
     std::vector<std::string> forms = choice_.forms;
     if (forms.empty()) {
       for (const std::string& form : formNames()) {
@@ -66,7 +77,8 @@ class Case {
         if (const std::string misfit = methodMisfit(method, form); !misfit.empty()) {
           report_.misfits.push_back({form, method, misfit});
         } else {
-          runs = planMethod(form, method) || runs;
+          planMethod(form, method);
+          runs = true;
         }
       }
       if (!runs) {
@@ -77,29 +89,42 @@ class Case {
     }
   }
 
-  bool planMethod(const std::string& form, const std::string& method) {
-    if (method == "rk4") {
-      const double stable = largestStableRk4Step(equations(form).system->linear()->A);
-      if (choice_.run.step > stable) {
-        report_.misfits.push_back({form, method,
-                                   fmt::format("rk4 is unstable at {:.4g} ms: this vehicle needs a step below {:.4g} ms",
-                                               1e3 * choice_.run.step, 1e3 * stable)});
-        return false;
-      }
+  void planMethod(const std::string& form, const std::string& method) {
+    if (method != "rk4") {
+      add(form, method, 1, choice_.run.step);
+      return;
     }
-    add(form, method, 1);
-    if (method == "rk4") add(form, method, 2);
-    return true;
+    const double step = stepOf(form);
+    add(form, method, 1, step);
+    add(form, method, 2, step);
   }
 
-  void add(const std::string& form, const std::string& method, int refine) {
+  /// The step asked for, or the one that resolves the fastest mode if that is smaller.
+  double stepOf(const std::string& form) {
+    Equations& own = equations(form);
+    if (!own.rk4_step) {
+      const double resolving = resolvingRk4Step(own.system->linear()->A, duration());
+      own.rk4_step = std::min(choice_.run.step, resolving);
+      if (resolving < choice_.run.step) {
+        report_.notes.push_back(fmt::format("rk4 takes steps of {:.3g} ms instead of {:.4g} ms: the fastest mode of {} asks for it",
+                                            1e3 * resolving, 1e3 * choice_.run.step, report_.vehicle));
+      }
+    }
+    return *own.rk4_step;
+  }
+
+  void add(const std::string& form, const std::string& method, int refine, double step) {
     for (const ValidationRun& run : report_.runs) {
       if (run.key.form == form && run.key.method == method && run.key.refine == refine) return;
     }
     ValidationRun run;
-    run.key = {form, method, refine, choice_.run.step, choice_.run.relative, choice_.run.absolute,
-               choice_.run.accuracy, 0};
+    run.key = {form, method, refine, step, choice_.run.relative, choice_.run.absolute, choice_.run.accuracy, 0};
     report_.runs.push_back(std::move(run));
+  }
+
+  /// Of the run [s]; a rig has no speed and gives its duration. Only asked where the scenario is right.
+  [[nodiscard]] double duration() const {
+    return scenario_.run.distance ? *scenario_.run.distance / report_.speed : *scenario_.run.duration;
   }
 
   Equations& equations(const std::string& form) {
@@ -107,7 +132,7 @@ class Case {
     for (Equations& known : equations_) {
       if (known.name == name) return known;
     }
-    equations_.push_back({name, buildForm(name, vehicle_, scenario_.gravity), std::nullopt});
+    equations_.push_back({name, buildForm(name, vehicle_, scenario_.gravity), std::nullopt, std::nullopt});
     return equations_.back();
   }
 
@@ -117,6 +142,7 @@ class Case {
     choice.form = run.key.form;
     choice.method = run.key.method;
     choice.refine = run.key.refine;
+    choice.step = run.key.step;
     histories_.emplace_back();
     const double runs = static_cast<double>(report_.runs.size());
     const auto report_progress = [&](double share) {
@@ -139,10 +165,7 @@ class Case {
   }
 
   void requireMemory() {
-    // A rig has no speed; what is wrong with the scenario otherwise is told by the first run.
-    if (!check(scenario_).empty()) return;
-    const double duration = scenario_.run.distance ? *scenario_.run.distance / report_.speed : *scenario_.run.duration;
-    const double samples = duration / scenario_.run.output_step + 1.0;
+    const double samples = duration() / scenario_.run.output_step + 1.0;
     const double columns = static_cast<double>(equations("matrix").system->outputs().size() + 1);
     const double all = 8.0 * samples * columns * static_cast<double>(report_.runs.size());
     if (all > kMostBytes) {
@@ -150,18 +173,6 @@ class Case {
           fmt::format("{} runs of {:.0f} samples need {:.1f} GiB, allowed are {:.0f}; take a longer output_step, a shorter "
                       "duration or fewer forms and methods",
                       report_.runs.size(), samples, all / 1073741824.0, kMostBytes / 1073741824.0));
-    }
-  }
-
-  void noteUnresolvedModes() {
-    for (std::size_t i = 0; i < report_.runs.size(); ++i) {
-      const RunKey& key = report_.runs[i].key;
-      if (key.method != "rk4" || key.refine != 2 || !finished(i)) continue;
-      const CaseSize& size = sizeFor(i);
-      if (rk4ResolvesAllModes(size.sensitivity.eigenvalues, key.step, size.duration)) continue;
-      report_.notes.push_back(
-          fmt::format("{} rk4: {:.4g} ms does not resolve the fastest mode ({:.4g} Hz), so its order is not judged", key.form,
-                      1e3 * key.step, size.sensitivity.fastest / (2.0 * std::numbers::pi)));
     }
   }
 
@@ -182,10 +193,38 @@ class Case {
     if (!own.size) {
       const Topology topology = topologyOf(vehicle_);
       const Input input = inputOf(scenario_, topology, report_.speed);
-      own.size = sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input,
-                            histories_[find(own.name, "exact", 1).value_or(run)]);
+      const std::optional<std::size_t> exact = find(own.name, "exact", 1);
+      const double finer = finerStep(*own.system, input);
+      own.size = finer < scenario_.run.output_step && isLinearForm(own.name)
+                     ? sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input, finerHistory(own.name, finer),
+                                  scenario_.run.output_step)
+                     : sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input,
+                                  histories_[exact.value_or(run)], scenario_.run.output_step);
     }
     return *own.size;
+  }
+
+  /// Output step [s] at which the peaks of the motion show: the scenario's own may fall between them. Not finer
+  /// than kMostSamples allow.
+  [[nodiscard]] double finerStep(const System& system, const Input& input) const {
+    constexpr double kRadians = 0.25;
+    constexpr double kMostSamples = 50'000.0;
+    double fastest = system.linear()->A.eigenvalues().cwiseAbs().maxCoeff();
+    for (int s = 0; s < input.segments(); ++s) {
+      for (const double omega : input.segment(s).angular_frequency) fastest = std::max(fastest, omega);
+    }
+    const double finest = (input.end() - input.begin()) / kMostSamples;
+    const double cuts = std::ceil(scenario_.run.output_step / std::max(kRadians / fastest, finest));
+    return scenario_.run.output_step / std::max(1.0, cuts);
+  }
+
+  [[nodiscard]] TimeHistory finerHistory(const std::string& form, double step) const {
+    Scenario finer = scenario_;
+    finer.run.output_step = step;
+    RunChoice choice = choice_.run;
+    choice.form = form;
+    choice.method = "exact";
+    return simulate(vehicle_, finer, choice).history;
   }
 
   void judge() {

@@ -26,7 +26,7 @@ _vehicle() {
       info) words="$common --gravity" ;;
       simulate) words="$common --form --method $settings --output" ;;
       modes) words="$common --form --gravity" ;;
-      validate) words="$common --form --method $settings" ;;
+      validate) words="$common --form --method $settings --details" ;;
       schema) words="--help --xsd --markdown" ;;
     esac
   fi

@@ -1,0 +1,107 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace vehicle::test {
+namespace {
+
+const std::vector<std::string> kCommands = {"check", "info", "simulate", "modes", "validate", "schema"};
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(CommandLine, HelpOfEveryCommandGivesUsageExampleAndExitStatusOnStdout) {
+  for (const std::string& command : kCommands) {
+    const ProgramRun run = runVehicle({command, "--help"});
+    EXPECT_EQ(run.status, 0) << command;
+    EXPECT_EQ(run.out.rfind("usage: vehicle " + command, 0), 0u) << run.out;
+    EXPECT_TRUE(has(run.out, "Example: vehicle " + command)) << command;
+    EXPECT_TRUE(has(run.out, "Exit status: 0 done; 1 an input file is wrong; 2 this command line is wrong; 3 the run failed;"))
+        << command;
+    EXPECT_EQ(run.err, "") << command;
+  }
+}
+
+TEST(CommandLine, HelpOfTheProgramNamesEveryCommand) {
+  const ProgramRun run = runVehicle({"--help"});
+  EXPECT_EQ(run.status, 0);
+  for (const std::string& command : kCommands) EXPECT_TRUE(has(run.out, "\n  " + command + " ")) << command;
+}
+
+TEST(CommandLine, HelpOfSimulateTellsUnitsChoicesAndDefaults) {
+  const std::string help = runVehicle({"simulate", "--help"}).out;
+  for (const char* part : {"usage: vehicle simulate VEHICLE SCENARIO [options]", "flat | matrix | mbs | mbs-linear",
+                           "rk4 | dopri5 | exact | simbody_rkm", "\"72 km/h\"", "(default: from SCENARIO)",
+                           "(default: \"1 ms\")", ".csv or .h5", "--accuracy NUMBER"}) {
+    EXPECT_TRUE(has(help, part)) << part << "\nis not in\n" << help;
+  }
+}
+
+TEST(CommandLine, VersionIsOneLineOnStdout) {
+  const ProgramRun run = runVehicle({"--version"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, "vehicle " VEHICLE_VERSION "\n");
+}
+
+struct Wrong {
+  std::vector<std::string> arguments;
+  std::string message;
+};
+
+TEST(CommandLine, WhatIsWrongIsNamedBackOnStderrWithStatusTwo) {
+  const std::string vehicle = model("vehicles/al-oraiqat-2017.xml");
+  const std::string scenario = model("scenarios/paper-20mps.xml");
+  const std::string suite = model("suites/paper.xml");
+  const std::vector<Wrong> cases = {
+      {{}, "vehicle: a command is missing; see vehicle --help\n"},
+      {{"simulat"}, "vehicle: command \"simulat\" is unknown; did you mean \"simulate\"?\n"},
+      {{"--verbose"}, "vehicle: option \"--verbose\" is unknown; "},
+      {{"simulate", "--fomr", "flat", vehicle, scenario}, "vehicle simulate: option \"--fomr\" is unknown; did you mean \"--form\"?\n"},
+      {{"simulate", vehicle, scenario, "--fomr=flat"}, "vehicle simulate: option \"--fomr\" is unknown; did you mean \"--form\"?\n"},
+      {{"modes", vehicle, "--gravty", "9.81 m/s^2"}, "vehicle modes: option \"--gravty\" is unknown; did you mean \"--gravity\"?\n"},
+      {{"simulate", vehicle}, "vehicle simulate: SCENARIO is missing; "},
+      {{"check"}, "vehicle check: FILE is missing; "},
+      {{"simulate", vehicle, scenario, "extra"}, "vehicle simulate: \"extra\" is one argument too many; "},
+      {{"simulate", vehicle, scenario, "--speed"}, "vehicle simulate: --speed needs a value; "},
+      {{"simulate", vehicle, scenario, "--speed", "20 m"},
+       "vehicle simulate: --speed: \"20 m\" is a length; a speed is expected, e.g. \"72 km/h\""},
+      {{"simulate", vehicle, scenario, "--speed", "20"}, "vehicle simulate: --speed: \"20\" has no unit; a speed is expected"},
+      {{"simulate", vehicle, scenario, "--speed", "-3 m/s"}, "vehicle simulate: --speed: \"-3 m/s\" must be finite and > 0"},
+      {{"simulate", vehicle, scenario, "--step", "0 ms"}, "vehicle simulate: --step: \"0 ms\" must be finite and > 0"},
+      {{"simulate", vehicle, scenario, "--form", "matrxi"}, "vehicle simulate: --form: \"matrxi\" is unknown; did you mean \"matrix\"?"},
+      {{"simulate", vehicle, scenario, "--method", "dopri"}, "vehicle simulate: --method: \"dopri\" is unknown; did you mean \"dopri5\"?"},
+      {{"simulate", vehicle, scenario, "--form", "mbs", "--method", "exact"}, "vehicle: exact needs a linear form; mbs is nonlinear\n"},
+      {{"simulate", vehicle, scenario, "--output", "run.txt"}, "vehicle: run.txt: extension \".txt\" is unknown; "},
+      {{"simulate", vehicle, scenario, "--output", "a.csv", "--output", "a.csv"}, "vehicle: --output a.csv is given twice\n"},
+      {{"modes", vehicle, "--form", "mbs"}, "vehicle: --form: modes need a linear form; mbs is nonlinear\n"},
+      {{"info", vehicle, "--format", "jsn"}, "vehicle info: --format: \"jsn\" is unknown; did you mean \"json\"?"},
+      {{"schema", "--xsd", "--markdown"}, "vehicle schema: --xsd excludes --markdown"},
+      {{"validate", vehicle}, "vehicle: SCENARIO is missing, or a suite instead of VEHICLE\n"},
+      {{"validate", suite, scenario}, "vehicle: a suite names its scenarios itself; leave out SCENARIO\n"},
+  };
+  for (const Wrong& wrong : cases) {
+    const ProgramRun run = runVehicle(wrong.arguments);
+    EXPECT_EQ(run.status, 2) << wrong.message;
+    EXPECT_EQ(run.out, "") << wrong.message;
+    EXPECT_EQ(run.err.rfind(wrong.message, 0), 0u) << "said:     " << run.err << "expected: " << wrong.message;
+  }
+}
+
+TEST(CommandLine, BashCompletionKnowsEveryCommandAndEveryOptionOfItsHelp) {
+  const std::string completion = textOf(std::string(VEHICLE_SOURCE_DIR) + "/apps/cli/completion/vehicle.bash");
+  ASSERT_NE(completion, "");
+  for (const std::string& command : kCommands) {
+    EXPECT_TRUE(has(completion, " " + command + " ") || has(completion, "\"" + command + " ") || has(completion, command + "\"")) << command;
+    EXPECT_TRUE(has(completion, "      " + command + ") words=")) << command;
+    const std::string help = runVehicle({command, "--help"}).out;
+    for (std::size_t at = help.find("\n  --"); at != std::string::npos; at = help.find("\n  --", at + 1)) {
+      const std::string option = help.substr(at + 3, help.find(' ', at + 3) - at - 3);
+      EXPECT_TRUE(has(completion, option)) << command << " " << option;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vehicle::test

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vehicle::test {
+
+/// What a run of the program `vehicle` left behind.
+struct ProgramRun {
+  int status = -1;  // exit status; 128 + signal if one killed it
+  std::string out;
+  std::string err;
+};
+
+/// Runs build/.../bin/vehicle with these arguments, stdout and stderr apart, no terminal.
+/// @param while_running  called once after `delay`, with the process id
+[[nodiscard]] ProgramRun runVehicle(const std::vector<std::string>& arguments,
+                                    const std::function<void(int)>& while_running = {},
+                                    std::chrono::milliseconds delay = std::chrono::milliseconds(0));
+
+/// A folder of its own for one test, gone at its end.
+class TestFolder {
+ public:
+  TestFolder();
+  ~TestFolder();
+  TestFolder(const TestFolder&) = delete;
+  TestFolder& operator=(const TestFolder&) = delete;
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  /// Writes a file and returns its path.
+  [[nodiscard]] std::string file(const std::string& name, const std::string& text) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// Text of a file, "" if there is none.
+[[nodiscard]] std::string textOf(const std::string& path);
+/// models/..., as an absolute path.
+[[nodiscard]] std::string model(const std::string& name);
+
+/// A vehicle file of two bodies' worth: one body on one wheelset, enough for every command.
+[[nodiscard]] std::string smallVehicle();
+/// @param run  attributes of <run>, e.g. R"(speed="20 m/s" duration="1 s" output_step="5 ms")"
+[[nodiscard]] std::string smallScenario(const std::string& run);
+
+}  // namespace vehicle::test

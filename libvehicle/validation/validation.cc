@@ -21,6 +21,20 @@ constexpr double kMostBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
 /// Forms that solve the same equations share the ledger's sizes: all consistent ones, and each printed variant.
 std::string equationsOf(const std::string& form) { return isPrintedVariant(form) ? form : "matrix"; }
 
+// With fewer samples than this, a column's error may happen to pass through zero at all of them.
+constexpr std::size_t kFewSamples = 50;
+
+/// The differences of few samples, none smaller against its column's peak than the largest of all columns that are
+/// more than rounding.
+Eigen::VectorXd liftedFromZeros(const Eigen::VectorXd& difference, const CaseSize& size, const Eigen::VectorXd& rounding) {
+  const Eigen::VectorXd& peak = size.motion.output;
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < peak.size(); ++i) {
+    if (peak(i) > rounding(i)) largest = std::max(largest, difference(i) / peak(i));
+  }
+  return difference.cwiseMax(largest * peak);
+}
+
 class Case {
  public:
   Case(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice,
@@ -238,6 +252,9 @@ class Case {
         step_difference = largestDifference(histories_[i], histories_[other.value_or(i)]);
       }
       sizes[i] = sizeOfRun(sizeFor(i), key, step_difference);
+      if (key.method == "rk4" && histories_[i].samples() < kFewSamples) {
+        sizes[i] = sizeOfRun(sizeFor(i), key, liftedFromZeros(step_difference, sizeFor(i), sizes[i].rounding));
+      }
     }
     for (std::size_t i = 0; i < report_.runs.size(); ++i) {
       for (std::size_t j = i + 1; j < report_.runs.size(); ++j) {
@@ -300,44 +317,9 @@ class Case {
 
 }  // namespace
 
-bool ValidationReport::inside() const {
-  for (const ValidationRun& run : runs) {
-    if (!run.failure.empty()) return false;
-  }
-  return count(Verdict::kInside) > 0 && count(Verdict::kOutside) == 0;
-}
-
-std::size_t ValidationReport::count(Verdict verdict) const {
-  return static_cast<std::size_t>(
-      std::count_if(pairs.begin(), pairs.end(), [&](const PairAgreement& pair) { return pair.verdict == verdict; }));
-}
-
 ValidationReport validate(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice,
                           const ValidationProgress& progress) {
   return Case(vehicle, scenario, choice, progress).validate();
-}
-
-std::vector<ValidationCase> casesOf(const Suite& suite) {
-  std::vector<std::optional<double>> speeds;
-  for (const double speed : speedsOf(suite)) speeds.emplace_back(speed);
-  if (speeds.empty()) speeds.emplace_back();
-  std::vector<ValidationCase> cases;
-  for (std::size_t vehicle = 0; vehicle < suite.vehicles.size(); ++vehicle) {
-    for (std::size_t scenario = 0; scenario < suite.scenarios.size(); ++scenario) {
-      for (const std::optional<double>& speed : speeds) cases.push_back({vehicle, scenario, speed});
-    }
-  }
-  return cases;
-}
-
-ValidationChoice choiceOf(const Suite& suite, ValidationChoice choice) {
-  if (choice.forms.empty()) {
-    for (const NamedChoice& form : suite.forms) choice.forms.push_back(form.name);
-  }
-  if (choice.methods.empty()) {
-    for (const NamedChoice& method : suite.methods) choice.methods.push_back(method.name);
-  }
-  return choice;
 }
 
 }  // namespace vehicle

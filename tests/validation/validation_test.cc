@@ -157,8 +157,11 @@ TEST(Validate, PrintedVariantsDifferByDesignFromAllOthersAndAgreeWithThemselves)
 TEST(Validate, FewSamplesDoNotNarrowWhatIsExpected) {
   Scenario scenario = shortScenario(3.0);
   scenario.run.output_step = 1.5;
-  EXPECT_TRUE(validate(test::paperVehicle(), scenario).inside());
-  EXPECT_TRUE(validate(test::contactVehicle(), scenario, {{"matrix"}, {"rk4", "dopri5"}, {}}).inside());
+  const ValidationReport paper = validate(test::paperVehicle(), scenario);
+  EXPECT_TRUE(paper.inside()) << outsideOf(paper);
+  const ValidationReport contact = validate(test::contactVehicle(), scenario, {{"matrix"}, {"rk4", "dopri5"}, {}});
+  EXPECT_TRUE(contact.inside()) << outsideOf(contact);
+  EXPECT_LT(pairOf(paper, "matrix exact", "flat rk4").expected.value_or(1.0), 1e-6);
 }
 
 TEST(Validate, WhatDoesNotFitIsListedWithItsReason) {

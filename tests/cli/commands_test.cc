@@ -1,3 +1,4 @@
+#include <chrono>
 #include <csignal>
 #include <string>
 
@@ -229,6 +230,16 @@ TEST(ValidateCommand, ASuiteGetsOneLineACase) {
   ASSERT_EQ(cases.size(), 2u);
   EXPECT_EQ(cases[1]["speed"], 108.0);
   EXPECT_EQ(cases[1]["outside"], 0);
+}
+
+TEST(ValidateCommand, CtrlCEndsItAndSaysHowFarItCame) {
+  const TestFolder folder;
+  const std::string scenario = folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="3000 s" output_step="10 ms")"));
+  const auto interrupt = [](int process) { kill(process, SIGINT); };
+  const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs"}, interrupt,
+                                    std::chrono::milliseconds(1000));
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_EQ(run.err, "vehicle: interrupted; 0 of 1 cases are finished\n");
 }
 
 TEST(SchemaCommand, PrintsXsdAndMarkdown) {

@@ -16,9 +16,10 @@ namespace {
 
 std::string unknown(const std::string& what, const std::string& word, const std::vector<std::string>& candidates) {
   const std::optional<std::string> nearest = nearestName(word, candidates);
+  std::string all;
+  for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
   return fmt::format("{}\"{}\" is unknown; {}", what, word,
-                     nearest ? fmt::format("did you mean \"{}\"?", *nearest)
-                             : fmt::format("choose one of {}", fmt::join(candidates, ", ")));
+                     nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "choose one of " + all);
 }
 
 std::vector<std::string> optionNames(const CLI::App& app) {

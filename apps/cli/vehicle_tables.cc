@@ -13,18 +13,6 @@
 namespace vehicle::cli {
 namespace {
 
-std::string_view nameOf(Motion motion) {
-  switch (motion) {
-    case Motion::kX: return "x";
-    case Motion::kY: return "y";
-    case Motion::kZ: return "z";
-    case Motion::kRoll: return "roll";
-    case Motion::kPitch: return "pitch";
-    case Motion::kYaw: return "yaw";
-  }
-  return "";
-}
-
 Cell orNothing(double value) { return value != 0.0 ? Cell(value) : Cell(); }
 
 template <class Part>
@@ -38,13 +26,20 @@ void addReserved(Table& table, const std::vector<Part>& parts) {
 
 Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& rest) {
   Table table{"bodies",
-              {{"body", ""}, {"mass", "t"}, {"pitch inertia", "t m^2"}, {"x", "m"}, {"z", "m"}, {"motion", ""},
-               {"rest z", "mm"}, {"rest pitch", "mrad"}},
+              {{"body", ""},
+               {"mass", "t"},
+               {"pitch inertia", "t m^2"},
+               {"x", "m"},
+               {"z", "m"},
+               {"motion", ""},
+               {"rest z", "mm"},
+               {"rest pitch", "mrad"}},
               {}};
   for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
     const TopologyBody& body = topology.bodies[i];
     std::string motion;
-    for (const Motion each : vehicle.bodies[i].motion) motion += fmt::format("{}{}", motion.empty() ? "" : " ", nameOf(each));
+    for (const Motion each : vehicle.bodies[i].motion)
+      motion += fmt::format("{}{}", motion.empty() ? "" : " ", nameOf(each));
     const auto at_rest = [&](int index) {
       if (index < 0) return Cell();
       const double value = rest.coordinates[static_cast<std::size_t>(index)];
@@ -60,7 +55,11 @@ Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& re
 
 Table wheelsetTable(const Topology& topology, const Rest& rest) {
   Table table{"wheelsets",
-              {{"wheelset", ""}, {"x", "m"}, {"mass", "t"}, {"static load", "kN"}, {"contact stiffness", "MN/m"},
+              {{"wheelset", ""},
+               {"x", "m"},
+               {"mass", "t"},
+               {"static load", "kN"},
+               {"contact stiffness", "MN/m"},
                {"motion", ""}},
               {}};
   for (std::size_t i = 0; i < topology.wheelsets.size(); ++i) {
@@ -74,13 +73,19 @@ Table wheelsetTable(const Topology& topology, const Rest& rest) {
 
 Table suspensionTable(const Topology& topology, const Rest& rest) {
   Table table{"suspensions",
-              {{"suspension", ""}, {"upper", ""}, {"lower", ""}, {"x", "m"}, {"stiffness", "kN/m"},
-               {"damping", "kN s/m"}, {"static load", "kN"}},
+              {{"suspension", ""},
+               {"upper", ""},
+               {"lower", ""},
+               {"x", "m"},
+               {"stiffness", "kN/m"},
+               {"damping", "kN s/m"},
+               {"static load", "kN"}},
               {}};
   for (std::size_t i = 0; i < topology.suspensions.size(); ++i) {
     const TopologySuspension& each = topology.suspensions[i];
-    const std::string lower = each.lower_body >= 0 ? topology.bodies[static_cast<std::size_t>(each.lower_body)].name
-                                                   : topology.wheelsets[static_cast<std::size_t>(each.lower_wheelset)].name;
+    const std::string lower = each.lower_body >= 0
+                                  ? topology.bodies[static_cast<std::size_t>(each.lower_body)].name
+                                  : topology.wheelsets[static_cast<std::size_t>(each.lower_wheelset)].name;
     table.rows.push_back({each.name, topology.bodies[static_cast<std::size_t>(each.upper)].name, lower, each.x,
                           each.stiffness / 1e3, each.damping / 1e3, rest.suspension_load[i] / 1e3});
   }
@@ -97,7 +102,8 @@ Table misfitTable(const Vehicle& vehicle) {
   Table table{"why not", {{"line", ""}, {"element", ""}, {"why", ""}, {"remedy", ""}, {"forms", ""}}, {}};
   for (const std::string& form : formNames()) {
     for (const Problem& misfit : formMisfits(form, vehicle)) {
-      const std::vector<Cell> reason = {static_cast<long>(misfit.place.line), misfit.element, misfit.message, misfit.remedy};
+      const std::vector<Cell> reason = {static_cast<long>(misfit.place.line), misfit.element, misfit.message,
+                                        misfit.remedy};
       const auto known = std::find_if(table.rows.begin(), table.rows.end(), [&](const std::vector<Cell>& row) {
         return std::equal(reason.begin(), reason.end(), row.begin());
       });

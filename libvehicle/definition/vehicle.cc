@@ -9,11 +9,7 @@
 
 namespace vehicle {
 
-namespace {
-
-using enum Dimension;
-
-constexpr std::string_view wordOf(Motion motion) {
+std::string_view nameOf(Motion motion) {
   switch (motion) {
     case Motion::kX: return "x";
     case Motion::kY: return "y";
@@ -25,13 +21,17 @@ constexpr std::string_view wordOf(Motion motion) {
   return "";
 }
 
+namespace {
+
+using enum Dimension;
+
 void checkMotion(const Body& body, Judge& judge) {
   if (body.motion.empty()) judge.say("motion is empty", "name the motions the body has, e.g. motion=\"z pitch\"");
   std::set<Motion> seen;
   std::set<Motion> told;
   for (const Motion motion : body.motion) {
     if (seen.insert(motion).second || !told.insert(motion).second) continue;
-    judge.say("motion names \"" + std::string(wordOf(motion)) + "\" twice", "name each motion once");
+    judge.say("motion names \"" + std::string(nameOf(motion)) + "\" twice", "name each motion once");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libvehicle/definition/origin.h"
@@ -24,6 +25,9 @@ struct Element {
 
 /// Motions a body may have. The planar forms use kZ and kPitch.
 enum class Motion { kX, kY, kZ, kRoll, kPitch, kYaw };
+
+/// As files write it: "x", "y", "z", "roll", "pitch", "yaw".
+[[nodiscard]] std::string_view nameOf(Motion motion);
 
 /// A rigid body on springs: carbody, bogie frame.
 struct Body {

@@ -57,11 +57,11 @@ AttributeReading readFile(const AttributeRow& row, std::string_view text) {
 AttributeReading readQuantity(const AttributeRow& row, std::string_view text) {
   const ParsedQuantity parsed = parseQuantity(text, row.dimension);
   if (!parsed.si || !std::isfinite(*parsed.si)) {
-    return {placeholderOf(row), fmt::format("{} {}", written(row, text), parsed.message), parsed.remedy};
+    return {standInFor(row), fmt::format("{} {}", written(row, text), parsed.message), parsed.remedy};
   }
   const bool in_range =
       row.sign == Sign::kAny || *parsed.si > 0.0 || (row.sign == Sign::kNotNegative && *parsed.si == 0.0);
-  if (!in_range) return {placeholderOf(row), written(row, text), fmt::format("must be {}", rangeOf(row))};
+  if (!in_range) return {standInFor(row), written(row, text), fmt::format("must be {}", rangeOf(row))};
   return {*parsed.si, "", ""};
 }
 
@@ -117,7 +117,7 @@ AttributeReading readChoiceList(const AttributeRow& row, std::string_view text) 
 
 }  // namespace
 
-Value placeholderOf(const AttributeRow& row) {
+Value standInFor(const AttributeRow& row) {
   switch (row.kind) {
     // Nothing as far as that is allowed: a phase of 0 makes no jump, a mass must be something.
     case ValueKind::kQuantity:

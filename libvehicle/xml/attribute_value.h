@@ -20,7 +20,7 @@ struct AttributeReading {
 
 /// A value in range for an attribute that is missing or wrong; monostate for names and references, without which
 /// nothing can be said about the whole.
-[[nodiscard]] Value placeholderOf(const AttributeRow& row);
+[[nodiscard]] Value standInFor(const AttributeRow& row);
 
 /// The text that readAttribute() reads back to the same value.
 /// @throws std::invalid_argument if a quantity is not finite

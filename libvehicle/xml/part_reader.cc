@@ -134,7 +134,7 @@ void PartReader::reportMissing(const tinyxml2::XMLElement& element, const Elemen
     report(element.GetLineNum(), path, fmt::format("attribute \"{}\" is missing", each.name),
            fmt::format("write e.g. {}", exampleOf(each, row)));
     if (each.kind == ValueKind::kFormat) continue;
-    const Value instead = placeholderOf(each);
+    const Value instead = standInFor(each);
     if (std::holds_alternative<std::monostate>(instead)) {
       complete_ = false;
     } else {

@@ -15,7 +15,7 @@ namespace {
 // Which library a header belongs to; the first fitting start counts.
 struct Header {
   std::string_view start;
-  std::string_view library;
+  std::string_view target;
 };
 constexpr Header kHeaders[] = {
     {"Eigen/", "Eigen3::Eigen"},
@@ -69,7 +69,7 @@ std::string roomOf(const std::string& path) {
 
 std::string_view libraryOf(std::string_view header) {
   for (const Header& known : kHeaders) {
-    if (header.starts_with(known.start)) return known.library;
+    if (header.starts_with(known.start)) return known.target;
   }
   return {};
 }

@@ -62,7 +62,8 @@ int checkFiles(const std::vector<std::string>& files, const CommonOptions& commo
       }
     }
   }
-  Table table{"files", {{"file", ""}, {"line", ""}, {"verdict", ""}, {"element", ""}, {"message", ""}, {"remedy", ""}}, {}};
+  Table table{
+      "files", {{"file", ""}, {"line", ""}, {"verdict", ""}, {"element", ""}, {"message", ""}, {"remedy", ""}}, {}};
   ExitStatus status = kDone;
   for (const Judged& judged : all) {
     if (judged.problems.empty()) table.rows.push_back({judged.file, {}, std::string("ok"), {}, {}, {}});
@@ -88,14 +89,14 @@ Action addCheck(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("check", "judge vehicle, scenario and suite files; print all problems");
   command
-      ->add_option("files", options->files,
-                   "files of any kind; each scenario is also held against each vehicle given")
+      ->add_option("files", options->files, "files of any kind; each scenario is also held against each vehicle given")
       ->type_name("FILE")
       ->required()
       ->expected(1, 1 << 20);
   addCommonOptions(*command, options->common);
-  command->footer("Example: vehicle check models/vehicles/*.xml models/scenarios/*.xml\n"
-                  "Problems go to stdout, one a line: FILE:LINE: error: ELEMENT: what is wrong; what to write instead.");
+  command->footer(
+      "Example: vehicle check models/vehicles/*.xml models/scenarios/*.xml\n"
+      "Problems go to stdout, one a line: FILE:LINE: error: ELEMENT: what is wrong; what to write instead.");
   return [options] { return checkFiles(options->files, options->common); };
 }
 

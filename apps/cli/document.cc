@@ -40,19 +40,20 @@ std::string forCsv(const std::string& text) {
 }
 
 std::string forCsv(const Cell& cell) {
-  return std::visit(Cases{[](std::monostate) { return std::string(); },
-                          [](const std::string& text) { return forCsv(text); },
-                          [](double number) { return fmt::format("{}", number); },
-                          [](long number) { return fmt::format("{}", number); },
-                          [](bool yes) { return std::string(yes ? "true" : "false"); }},
-                    cell);
+  return std::visit(
+      Cases{[](std::monostate) { return std::string(); }, [](const std::string& text) { return forCsv(text); },
+            [](double number) { return fmt::format("{}", number); },
+            [](long number) { return fmt::format("{}", number); },
+            [](bool yes) { return std::string(yes ? "true" : "false"); }},
+      cell);
 }
 
 Json forJson(const Cell& cell) {
-  return std::visit(Cases{[](std::monostate) { return Json(nullptr); }, [](const std::string& text) { return Json(text); },
-                          [](double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); },
-                          [](long number) { return Json(number); }, [](bool yes) { return Json(yes); }},
-                    cell);
+  return std::visit(
+      Cases{[](std::monostate) { return Json(nullptr); }, [](const std::string& text) { return Json(text); },
+            [](double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); },
+            [](long number) { return Json(number); }, [](bool yes) { return Json(yes); }},
+      cell);
 }
 
 std::string headerOf(const TableColumn& column) {
@@ -117,7 +118,8 @@ void printCsv(const Document& document, std::ostream& out) {
     if (table.rows.empty()) continue;
     if (!first) out << '\n';
     first = false;
-    for (std::size_t j = 0; j < table.columns.size(); ++j) out << (j == 0 ? "" : ",") << forCsv(headerOf(table.columns[j]));
+    for (std::size_t j = 0; j < table.columns.size(); ++j)
+      out << (j == 0 ? "" : ",") << forCsv(headerOf(table.columns[j]));
     out << '\n';
     for (const std::vector<Cell>& row : table.rows) {
       for (std::size_t j = 0; j < row.size(); ++j) out << (j == 0 ? "" : ",") << forCsv(row[j]);
@@ -152,9 +154,15 @@ void printJson(const Document& document, std::ostream& out) {
 
 void print(const Document& document, Format format, std::ostream& out) {
   switch (format) {
-    case Format::kTable: printForEyes(document, out); break;
-    case Format::kCsv: printCsv(document, out); break;
-    case Format::kJson: printJson(document, out); break;
+    case Format::kTable:
+      printForEyes(document, out);
+      break;
+    case Format::kCsv:
+      printCsv(document, out);
+      break;
+    case Format::kJson:
+      printJson(document, out);
+      break;
   }
 }
 

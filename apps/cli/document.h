@@ -7,7 +7,11 @@
 
 namespace vehicle::cli {
 
-enum class Format { kTable, kCsv, kJson };
+enum class Format {
+  kTable,
+  kCsv,
+  kJson
+};
 
 /// Nothing (does not apply), a text, a number, a whole number, yes or no.
 using Cell = std::variant<std::monostate, std::string, double, long, bool>;

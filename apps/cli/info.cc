@@ -38,8 +38,11 @@ int printInfo(const Options& options) {
                                                {"unsprung mass", wheelsets / 1e3, "t"},
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
-  document.tables = {bodyTable(vehicle, topology, rest), wheelsetTable(topology, rest),
-                     suspensionTable(topology, rest), formTable(vehicle), misfitTable(vehicle),
+  document.tables = {bodyTable(vehicle, topology, rest),
+                     wheelsetTable(topology, rest),
+                     suspensionTable(topology, rest),
+                     formTable(vehicle),
+                     misfitTable(vehicle),
                      unusedTable(vehicle)};
   print(document, options.common.format, std::cout);
   return kDone;
@@ -49,12 +52,14 @@ int printInfo(const Options& options) {
 
 Action addInfo(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("info", "describe a vehicle: bodies, static loads, which forms fit and why not");
+  CLI::App* command =
+      program.add_subcommand("info", "describe a vehicle: bodies, static loads, which forms fit and why not");
   addVehicleFile(*command, options->files);
   addGravity(*command, options->gravity);
   addCommonOptions(*command, options->common);
-  command->footer("Rest positions count from unloaded springs; loads are static, compression positive.\n"
-                  "Example: vehicle info models/vehicles/al-oraiqat-2017.xml");
+  command->footer(
+      "Rest positions count from unloaded springs; loads are static, compression positive.\n"
+      "Example: vehicle info models/vehicles/al-oraiqat-2017.xml");
   return [options] { return printInfo(*options); };
 }
 

@@ -37,13 +37,19 @@ double phaseInDegrees(std::complex<double> entry) {
 int printModes(const Options& options) {
   const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
   const std::string form = options.form.empty() ? defaultForm(vehicle) : options.form;
-  if (!isLinearForm(form)) throw std::invalid_argument(fmt::format("--form: modes need a linear form; {} is nonlinear", form));
+  if (!isLinearForm(form))
+    throw std::invalid_argument(fmt::format("--form: modes need a linear form; {} is nonlinear", form));
   const std::unique_ptr<System> system = buildForm(form, vehicle, options.gravity);
   const std::vector<Mode> modes = modesOf(*system);
 
   Table eigenvalues{"modes",
-                    {{"mode", ""}, {"name", ""}, {"frequency", "Hz"}, {"damping", "-"}, {"real", "1/s"},
-                     {"imaginary", "1/s"}, {"multiplicity", ""}},
+                    {{"mode", ""},
+                     {"name", ""},
+                     {"frequency", "Hz"},
+                     {"damping", "-"},
+                     {"real", "1/s"},
+                     {"imaginary", "1/s"},
+                     {"multiplicity", ""}},
                     {}};
   Table shapes{"shapes", {{"mode", ""}, {"coordinate", ""}, {"unit", ""}, {"size", ""}, {"phase", "deg"}}, {}};
   long number = 0;
@@ -56,11 +62,11 @@ int printModes(const Options& options) {
       const double size = std::abs(mode.shape(i));
       // Below rounding a coordinate does not take part, and its phase would be noise.
       if (size < 1e-9) continue;
-      shapes.rows.push_back({number, coordinate.name, coordinate.unit, size,
-                             phaseInDegrees(mode.shape(i))});
+      shapes.rows.push_back({number, coordinate.name, coordinate.unit, size, phaseInDegrees(mode.shape(i))});
     }
   }
-  print({{{"vehicle", vehicle.name, ""}, {"form", form, ""}}, {eigenvalues, shapes}, {}}, options.common.format, std::cout);
+  print({{{"vehicle", vehicle.name, ""}, {"form", form, ""}}, {eigenvalues, shapes}, {}}, options.common.format,
+        std::cout);
   return kDone;
 }
 
@@ -68,18 +74,21 @@ int printModes(const Options& options) {
 
 Action addModes(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("modes", "print eigenvalues, frequencies, damping and shapes of a linear form");
+  CLI::App* command =
+      program.add_subcommand("modes", "print eigenvalues, frequencies, damping and shapes of a linear form");
   addVehicleFile(*command, options->files);
-  command->add_option("--form", options->form,
-                      "flat | matrix | mbs-linear | flat-7-printed | flat-literal | flat-literal-mb\n"
-                      "(default: flat where it fits, else matrix)")
+  command
+      ->add_option("--form", options->form,
+                   "flat | matrix | mbs-linear | flat-7-printed | flat-literal | flat-literal-mb\n"
+                   "(default: flat where it fits, else matrix)")
       ->type_name("NAME")
       ->check(oneOf(formNames()));
   addGravity(*command, options->gravity);
   addCommonOptions(*command, options->common);
-  command->footer("Of a pair the eigenvalue with positive imaginary part stands here. In a shape the largest coordinate is 1\n"
-                  "(m or rad); coordinates below 1e-9 are left out.\n"
-                  "Example: vehicle modes models/vehicles/al-oraiqat-2017.xml --form matrix");
+  command->footer(
+      "Of a pair the eigenvalue with positive imaginary part stands here. In a shape the largest coordinate is 1\n"
+      "(m or rad); coordinates below 1e-9 are left out.\n"
+      "Example: vehicle modes models/vehicles/al-oraiqat-2017.xml --form matrix");
   return [options] { return printModes(*options); };
 }
 

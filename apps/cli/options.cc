@@ -92,7 +92,8 @@ CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension d
     store(*quantity.si);
   };
   std::string type(dimension == Dimension::kNumber ? "number" : describe(dimension).name);
-  std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(type.begin(), type.end(), type.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return command.add_option_function<std::string>(name, read, help)->type_name(type);
 }
 
@@ -105,7 +106,8 @@ void addRunSettings(CLI::App& command, RunChoice& choice) {
               [&choice](double value) { choice.step = value; });
   addQuantity(command, "--rtol", Dimension::kNumber, "dopri5: relative tolerance   (default: 1e-10)",
               [&choice](double value) { choice.relative = value; });
-  addQuantity(command, "--atol", Dimension::kNumber, "dopri5: absolute tolerance, in m, rad, m/s, rad/s   (default: 1e-12)",
+  addQuantity(command, "--atol", Dimension::kNumber,
+              "dopri5: absolute tolerance, in m, rad, m/s, rad/s   (default: 1e-12)",
               [&choice](double value) { choice.absolute = value; });
   addQuantity(command, "--accuracy", Dimension::kNumber,
               "simbody_rkm: 100 to 300 times tighter than the error wanted   (default: 1e-10)",
@@ -159,9 +161,11 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
       return fmt::format("{}: {}", name, unknown("option ", word.substr(0, word.find('=')), optionNames(app)));
     }
   }
-  if (chosen.empty() && !unread.empty()) return fmt::format("{}: {}", name, unknown("command ", unread.front(), commandNames(program)));
+  if (chosen.empty() && !unread.empty())
+    return fmt::format("{}: {}", name, unknown("command ", unread.front(), commandNames(program)));
   if (chosen.empty()) return fmt::format("{}: a command is missing; see vehicle --help", name);
-  if (!unread.empty()) return fmt::format("{}: \"{}\" is one argument too many; see {} --help", name, unread.front(), name);
+  if (!unread.empty())
+    return fmt::format("{}: \"{}\" is one argument too many; see {} --help", name, unread.front(), name);
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() && option->get_required() && option->count() == 0) {
       return fmt::format("{}: {} is missing; see {} --help", name, option->get_type_name(), name);

@@ -39,8 +39,8 @@ bool ProgressBar::update(double share, const std::string& what) {
   if (!enabled_) return true;
   const Clock::time_point now = Clock::now();
   const double elapsed = std::chrono::duration<double>(now - begin_).count();
-  constexpr double kQuietStart = 1.0;      // [s]
-  constexpr double kBetweenDrawings = 0.1; // [s]
+  constexpr double kQuietStart = 1.0;       // [s]
+  constexpr double kBetweenDrawings = 0.1;  // [s]
   if (elapsed < kQuietStart || std::chrono::duration<double>(now - last_).count() < kBetweenDrawings) return true;
   last_ = now;
   constexpr int kWidth = 24;
@@ -49,8 +49,8 @@ bool ProgressBar::update(double share, const std::string& what) {
   bar.resize(kWidth, '.');
   const std::string rate = fmt::format("{:.3g} {}/s", share * total_ / elapsed, unit_);
   const int left = share > 0.0 ? static_cast<int>(elapsed * (1.0 - share) / share) : 0;
-  const std::string line =
-      fmt::format("\r\033[K{}  [{}] {:3.0f} %  {}  left {}:{:02}", what, bar, 100.0 * share, rate, left / 60, left % 60);
+  const std::string line = fmt::format("\r\033[K{}  [{}] {:3.0f} %  {}  left {}:{:02}", what, bar, 100.0 * share, rate,
+                                       left / 60, left % 60);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;

@@ -13,7 +13,10 @@ void catchInterrupt();
 ///   mbs rk4  [#########...........]  45 %  12.3 s/s  left 0:08
 class ProgressBar {
  public:
-  enum class Shown { kOnTerminal, kNever };
+  enum class Shown {
+    kOnTerminal,
+    kNever
+  };
   /// @param total  what the whole work amounts to, in `unit`, for the rate
   ProgressBar(Shown shown, double total, std::string unit);
   ~ProgressBar();

@@ -14,7 +14,8 @@ Action addSchema(CLI::App& program) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("schema", "print what may stand in vehicle, scenario and suite files");
-  CLI::Option* xsd_flag = command->add_flag("--xsd", options->as_xsd, "as XML schema, for editors and xmllint   (default)");
+  CLI::Option* xsd_flag =
+      command->add_flag("--xsd", options->as_xsd, "as XML schema, for editors and xmllint   (default)");
   command->add_flag("--markdown", options->as_markdown, "as the page of the documentation")->excludes(xsd_flag);
   command->footer("Example: vehicle schema --xsd > vehicle.xsd");
   return [options] {

@@ -19,9 +19,8 @@ namespace {
 
 /// One line a column: smallest, largest, largest size and when, root mean square over the samples.
 Table summaryOf(const TimeHistory& history) {
-  Table table{"columns",
-              {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"rms", ""}},
-              {}};
+  Table table{
+      "columns", {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"rms", ""}}, {}};
   for (std::size_t j = 1; j < history.columns().size(); ++j) {
     double low = history.at(0, j), high = low, peak = std::abs(low), at = history.at(0, 0), squares = 0.0;
     for (std::size_t i = 0; i < history.samples(); ++i) {
@@ -92,25 +91,29 @@ Action addSimulate(CLI::App& program) {
   CLI::App* command = program.add_subcommand("simulate", "simulate one vehicle over one track");
   addVehicleFile(*command, options->files);
   addScenarioFile(*command, options->files);
-  command->add_option("--form", options->choice.form,
-                      "flat | matrix | mbs | mbs-linear, or a printed variant: flat-7-printed |\n"
-                      "flat-literal | flat-literal-mb   (default: flat where it fits, else matrix)")
+  command
+      ->add_option("--form", options->choice.form,
+                   "flat | matrix | mbs | mbs-linear, or a printed variant: flat-7-printed |\n"
+                   "flat-literal | flat-literal-mb   (default: flat where it fits, else matrix)")
       ->type_name("NAME")
       ->check(oneOf(formNames()));
-  command->add_option("--method", options->choice.method,
-                      "rk4 | dopri5 | exact | simbody_rkm   (default: exact where it fits, else dopri5)")
+  command
+      ->add_option("--method", options->choice.method,
+                   "rk4 | dopri5 | exact | simbody_rkm   (default: exact where it fits, else dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));
   addRunSettings(*command, options->choice);
-  command->add_option("--output", options->outputs,
-                      "time histories, .csv or .h5; may be given several times   (default: none)")
+  command
+      ->add_option("--output", options->outputs,
+                   "time histories, .csv or .h5; may be given several times   (default: none)")
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addCommonOptions(*command, options->common);
-  command->footer("Prints a summary of every column in the format chosen; whole histories go to --output.\n"
-                  "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
-                  "             --speed \"72 km/h\" --output run.h5 --output run.csv");
+  command->footer(
+      "Prints a summary of every column in the format chosen; whole histories go to --output.\n"
+      "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
+      "             --speed \"72 km/h\" --output run.h5 --output run.csv");
   return [options] { return simulateAndStore(*options); };
 }
 

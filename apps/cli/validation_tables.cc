@@ -21,8 +21,14 @@ const PairAgreement* againstReference(const ValidationReport& report, std::size_
 
 Table runTable(const ValidationReport& report) {
   Table table{"runs",
-              {{"run", ""}, {"steps", ""}, {"evaluations", ""}, {"rejected", ""}, {"run time", "s"},
-               {"difference from exact", "of peak"}, {"order", ""}, {"failure", ""}},
+              {{"run", ""},
+               {"steps", ""},
+               {"evaluations", ""},
+               {"rejected", ""},
+               {"run time", "s"},
+               {"difference from exact", "of peak"},
+               {"order", ""},
+               {"failure", ""}},
               {}};
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const ValidationRun& run = report.runs[i];
@@ -36,8 +42,8 @@ Table runTable(const ValidationReport& report) {
                           run.wall_seconds, difference, optional(run.order),
                           run.failure.empty() ? Cell() : Cell(run.failure)});
   }
-  const bool none_failed = std::all_of(report.runs.begin(), report.runs.end(),
-                                       [](const ValidationRun& run) { return run.failure.empty(); });
+  const bool none_failed =
+      std::all_of(report.runs.begin(), report.runs.end(), [](const ValidationRun& run) { return run.failure.empty(); });
   if (none_failed) {
     table.columns.pop_back();
     for (std::vector<Cell>& row : table.rows) row.pop_back();
@@ -49,8 +55,14 @@ Table runTable(const ValidationReport& report) {
 template <class Shown>
 Table groupTable(const ValidationReport& report, Shown shown) {
   Table table{"quantities against the exact solution of the matrix form",
-              {{"run", ""}, {"quantities", ""}, {"max error", "of peak"}, {"NRMSE", ""}, {"magnitude M", ""},
-               {"phase P", ""}, {"combined C", ""}, {"largest in", ""}},
+              {{"run", ""},
+               {"quantities", ""},
+               {"max error", "of peak"},
+               {"NRMSE", ""},
+               {"magnitude M", ""},
+               {"phase P", ""},
+               {"combined C", ""},
+               {"largest in", ""}},
               {}};
   for (const PairAgreement& pair : report.pairs) {
     if (pair.first != 0 || report.runs[pair.second].key.refine != 1 || !shown(pair)) continue;
@@ -68,8 +80,13 @@ void addPair(Table& table, const ValidationReport& report, const PairAgreement& 
                         optional(pair.expected), std::string(nameOf(pair.verdict)), worst.column.name, pair.why});
 }
 
-const std::vector<TableColumn> kPairColumns = {{"run", ""},     {"against", ""}, {"difference", "of peak"}, {"expected", "of peak"},
-                                               {"verdict", ""}, {"nearest to its limit", ""}, {"expected because of", ""}};
+const std::vector<TableColumn> kPairColumns = {{"run", ""},
+                                               {"against", ""},
+                                               {"difference", "of peak"},
+                                               {"expected", "of peak"},
+                                               {"verdict", ""},
+                                               {"nearest to its limit", ""},
+                                               {"expected because of", ""}};
 
 // Two forms, or two methods on one form: how many of their pairs are inside, and the pair of which least
 // disagreement was expected, because that one says most.
@@ -93,16 +110,23 @@ Table formTable(const ValidationReport& report) {
     if (found.strictest == nullptr || size(&pair) < size(found.strictest)) found.strictest = &pair;
   }
   Table table{"form against form",
-              {{"form", ""}, {"against", ""}, {"pairs", ""}, {"inside", ""}, {"strictest pair", ""},
-               {"difference", "of peak"}, {"expected", "of peak"}, {"because of", ""}},
+              {{"form", ""},
+               {"against", ""},
+               {"pairs", ""},
+               {"inside", ""},
+               {"strictest pair", ""},
+               {"difference", "of peak"},
+               {"expected", "of peak"},
+               {"because of", ""}},
               {}};
   for (const Entry& each : entries) {
     const PairAgreement& pair = *each.strictest;
     const RunKey& a = report.runs[pair.first].key;
     const RunKey& b = report.runs[pair.second].key;
-    const std::string methods = fmt::format("{} / {}", a.text().substr(a.form.size() + 1), b.text().substr(b.form.size() + 1));
-    table.rows.push_back({each.first, each.second, each.pairs, each.inside, methods, pair.relative,
-                          optional(pair.expected), pair.why});
+    const std::string methods =
+        fmt::format("{} / {}", a.text().substr(a.form.size() + 1), b.text().substr(b.form.size() + 1));
+    table.rows.push_back(
+        {each.first, each.second, each.pairs, each.inside, methods, pair.relative, optional(pair.expected), pair.why});
   }
   return table;
 }
@@ -126,7 +150,8 @@ Table misfitTable(const ValidationReport& report) {
 std::string verdictOf(const ValidationReport& report) {
   const std::size_t by_design = report.count(Verdict::kByDesign);
   return fmt::format("{} pairs inside their expected size, {} outside{}{}", report.count(Verdict::kInside),
-                     report.count(Verdict::kOutside), by_design > 0 ? fmt::format(", {} differ by design", by_design) : "",
+                     report.count(Verdict::kOutside),
+                     by_design > 0 ? fmt::format(", {} differ by design", by_design) : "",
                      report.stopped ? "; ended early" : "");
 }
 
@@ -134,14 +159,19 @@ std::string verdictOf(const ValidationReport& report) {
 
 Document documentOf(const ValidationReport& report, Detail detail) {
   Document document;
-  document.facts = {{"vehicle", report.vehicle, ""}, {"scenario", report.scenario, ""}, {"speed", report.speed, "m/s"},
+  document.facts = {{"vehicle", report.vehicle, ""},
+                    {"scenario", report.scenario, ""},
+                    {"speed", report.speed, "m/s"},
                     {"inside", report.inside(), ""}};
   Table pairs{"pairs", kPairColumns, {}};
   for (const PairAgreement& pair : report.pairs) {
     if (detail == Detail::kAll || pair.verdict == Verdict::kOutside) addPair(pairs, report, pair);
   }
-  const auto shown = [&](const PairAgreement& pair) { return detail == Detail::kAll || isWorstOfItsForm(report, pair); };
-  document.tables = {runTable(report), groupTable(report, shown), formTable(report), std::move(pairs), misfitTable(report)};
+  const auto shown = [&](const PairAgreement& pair) {
+    return detail == Detail::kAll || isWorstOfItsForm(report, pair);
+  };
+  document.tables = {runTable(report), groupTable(report, shown), formTable(report), std::move(pairs),
+                     misfitTable(report)};
   document.remarks = report.notes;
   document.remarks.push_back(verdictOf(report));
   return document;
@@ -150,8 +180,16 @@ Document documentOf(const ValidationReport& report, Detail detail) {
 Document documentOf(const std::vector<ValidationReport>& reports) {
   Document document;
   Table cases{"cases",
-              {{"vehicle", ""}, {"scenario", ""}, {"speed", "km/h"}, {"runs", ""}, {"inside", ""}, {"outside", ""},
-               {"by design", ""}, {"rounding", "of limit"}, {"integration", "of limit"}, {"geometry", "of limit"}},
+              {{"vehicle", ""},
+               {"scenario", ""},
+               {"speed", "km/h"},
+               {"runs", ""},
+               {"inside", ""},
+               {"outside", ""},
+               {"by design", ""},
+               {"rounding", "of limit"},
+               {"integration", "of limit"},
+               {"geometry", "of limit"}},
               {}};
   Table outside{"pairs outside", kPairColumns, {}};
   bool all_inside = true;
@@ -184,8 +222,8 @@ std::vector<std::string> complaintsOf(const ValidationReport& report) {
   for (const PairAgreement& pair : report.pairs) {
     if (pair.verdict != Verdict::kOutside) continue;
     const ColumnAgreement& worst = pair.columns[pair.worst];
-    complaints.push_back(fmt::format("{}: {} against {}: {} differs by {:.3g} {}, expected at most {:.3g} {} ({})", where,
-                                     report.runs[pair.first].key.text(), report.runs[pair.second].key.text(),
+    complaints.push_back(fmt::format("{}: {} against {}: {} differs by {:.3g} {}, expected at most {:.3g} {} ({})",
+                                     where, report.runs[pair.first].key.text(), report.runs[pair.second].key.text(),
                                      worst.column.name, worst.norms.max_difference, worst.column.unit,
                                      worst.expected.value_or(0.0), worst.column.unit, pair.why));
   }

@@ -12,7 +12,8 @@ namespace {
 
 void requireSameShape(const TimeHistory& a, const TimeHistory& b) {
   if (a.samples() != b.samples() || a.samples() == 0) {
-    throw std::invalid_argument(fmt::format("histories of {} and {} samples cannot be compared", a.samples(), b.samples()));
+    throw std::invalid_argument(
+        fmt::format("histories of {} and {} samples cannot be compared", a.samples(), b.samples()));
   }
   if (a.columns() != b.columns()) throw std::invalid_argument("histories of different columns cannot be compared");
 }
@@ -57,10 +58,14 @@ std::vector<GroupAgreement> groupsOf(const std::vector<ColumnAgreement>& columns
 
 const char* nameOf(QuantityGroup group) {
   switch (group) {
-    case QuantityGroup::kDisplacements: return "displacements";
-    case QuantityGroup::kVelocities: return "velocities";
-    case QuantityGroup::kAccelerations: return "accelerations";
-    case QuantityGroup::kForces: return "forces";
+    case QuantityGroup::kDisplacements:
+      return "displacements";
+    case QuantityGroup::kVelocities:
+      return "velocities";
+    case QuantityGroup::kAccelerations:
+      return "accelerations";
+    case QuantityGroup::kForces:
+      return "forces";
   }
   return "";
 }
@@ -74,9 +79,12 @@ QuantityGroup groupOf(const Channel& column) {
 
 const char* nameOf(Verdict verdict) {
   switch (verdict) {
-    case Verdict::kInside: return "inside";
-    case Verdict::kOutside: return "OUTSIDE";
-    case Verdict::kByDesign: return "differs by design";
+    case Verdict::kInside:
+      return "inside";
+    case Verdict::kOutside:
+      return "OUTSIDE";
+    case Verdict::kByDesign:
+      return "differs by design";
   }
   return "";
 }

@@ -12,7 +12,12 @@
 namespace vehicle {
 
 /// Quantities that are told together.
-enum class QuantityGroup { kDisplacements, kVelocities, kAccelerations, kForces };
+enum class QuantityGroup {
+  kDisplacements,
+  kVelocities,
+  kAccelerations,
+  kForces
+};
 [[nodiscard]] const char* nameOf(QuantityGroup group);
 /// By the unit: m and rad, m/s and rad/s, m/s^2 and rad/s^2, N.
 [[nodiscard]] QuantityGroup groupOf(const Channel& column);
@@ -50,9 +55,9 @@ struct PairAgreement {
   std::string why;               // the expectation in words
   std::vector<ColumnAgreement> columns;
   std::vector<GroupAgreement> groups;
-  std::size_t worst = 0;             // number in `columns`: nearest to its limit, or farthest outside
-  double relative = 0.0;             // [-] there: difference / peak
-  std::optional<double> expected;    // [-] there: expected difference / peak
+  std::size_t worst = 0;           // number in `columns`: nearest to its limit, or farthest outside
+  double relative = 0.0;           // [-] there: difference / peak
+  std::optional<double> expected;  // [-] there: expected difference / peak
 };
 
 /// Compares two histories of the same columns and samples, column by column. The caller fills in first and second.

@@ -20,11 +20,11 @@ struct CaseSize {
   Topology topology;
   Rest rest;
   Sensitivity sensitivity;
-  MotionSize motion;             // of the reference run
+  MotionSize motion;               // of the reference run
   Eigen::VectorXd input_rounding;  // (2 w) [m, m/s] what the input sweeps of a fixed-step run may round
-  std::vector<Channel> columns;  // (outputs)
-  double duration = 0.0;         // [s]
-  double output_step = 0.0;      // [s]
+  std::vector<Channel> columns;    // (outputs)
+  double duration = 0.0;           // [s]
+  double output_step = 0.0;        // [s]
 };
 
 /// @param system     the linear form whose equations the runs have

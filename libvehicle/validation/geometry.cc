@@ -50,17 +50,17 @@ GeometryDisturbance geometryDisturbance(const Topology& topology, const Rest& re
       ends[1].z_index = topology.wheelsets[static_cast<std::size_t>(suspension.lower_wheelset)].z_index;
     }
     const double deflection_error = heightError(ends[0]) + heightError(ends[1]);
-    const double force_error = suspension.stiffness * deflection_error +
-                               suspension.damping * (rateError(ends[0]) + rateError(ends[1]));
+    const double force_error =
+        suspension.stiffness * deflection_error + suspension.damping * (rateError(ends[0]) + rateError(ends[1]));
     const double force = motion.suspension_force(s);
     made.deflection(s) = deflection_error;
     made.suspension_force(s) = force_error;
     for (const End& end : ends) {
       if (end.z_index >= 0) made.force(end.z_index) += force_error;
       if (end.pitch_index < 0) continue;
-      made.force(end.pitch_index) +=
-          end.arm * force_error + force * (end.arm * end.pitch * end.pitch / 2.0 + end.height * end.pitch) +
-          std::abs(load) * end.height * std::pow(end.pitch, 3) / 6.0;
+      made.force(end.pitch_index) += end.arm * force_error +
+                                     force * (end.arm * end.pitch * end.pitch / 2.0 + end.height * end.pitch) +
+                                     std::abs(load) * end.height * std::pow(end.pitch, 3) / 6.0;
     }
     if (ends[0].pitch_index >= 0) static_moment(ends[0].pitch_index) += load * suspension.arm_upper;
     if (ends[1].pitch_index >= 0) static_moment(ends[1].pitch_index) -= load * suspension.arm_lower;

@@ -11,7 +11,7 @@ namespace vehicle {
 
 /// How large the motion of a run was; all entries >= 0.
 struct MotionSize {
-  Eigen::VectorXd state;              // (n)       max |x_j| over the run
+  Eigen::VectorXd state;             // (n)       max |x_j| over the run
   Eigen::VectorXd input;             // (3 w)     max |eta|, |eta'|, |eta''| per wheelset
   Eigen::VectorXd output;            // (outputs) max |y_i|, columns of a result after `time`
   Eigen::VectorXd suspension_force;  // (suspensions) [N] max |dynamic force|

@@ -49,7 +49,8 @@ VectorXd staticTerms(const CaseSize& the_case) {
   const auto add = [&](int body, double arm, double force) {
     const TopologyBody& part = topology.bodies[static_cast<std::size_t>(body)];
     if (part.z_index >= 0) rate(topology.coordinates + part.z_index) += force / part.mass;
-    if (part.pitch_index >= 0) rate(topology.coordinates + part.pitch_index) += std::abs(arm) * force / part.pitch_inertia;
+    if (part.pitch_index >= 0)
+      rate(topology.coordinates + part.pitch_index) += std::abs(arm) * force / part.pitch_inertia;
   };
   for (std::size_t s = 0; s < topology.suspensions.size(); ++s) {
     const TopologySuspension& suspension = topology.suspensions[s];
@@ -58,7 +59,8 @@ VectorXd staticTerms(const CaseSize& the_case) {
     add(suspension.upper, suspension.arm_upper, force);
     if (suspension.lower_body >= 0) {
       add(suspension.lower_body, suspension.arm_lower, force);
-    } else if (const TopologyWheelset& wheelset = topology.wheelsets[static_cast<std::size_t>(suspension.lower_wheelset)];
+    } else if (const TopologyWheelset& wheelset =
+                   topology.wheelsets[static_cast<std::size_t>(suspension.lower_wheelset)];
                wheelset.z_index >= 0) {
       rate(topology.coordinates + wheelset.z_index) += force / wheelset.mass;
     }
@@ -83,8 +85,8 @@ VectorXd roundingOf(const CaseSize& the_case, const RunKey& run) {
     const double h = run.steps > 0 ? the_case.duration / static_cast<double>(run.steps) : run.step;
     rate = 2.0 * kUlp / h * motion.state;
   }
-  VectorXd terms = sensitivity.matrices.A.cwiseAbs() * motion.state +
-                   sensitivity.matrices.B.cwiseAbs() * motion.input.head(wheels2);
+  VectorXd terms =
+      sensitivity.matrices.A.cwiseAbs() * motion.state + sensitivity.matrices.B.cwiseAbs() * motion.input.head(wheels2);
   VectorXd sums = sensitivity.C.cwiseAbs() * motion.state + sensitivity.D.cwiseAbs() * motion.input +
                   sensitivity.static_output.cwiseAbs();
   if (isSimbodyForm(run.form)) {
@@ -202,9 +204,12 @@ std::string geometryWords(const CaseSize& the_case) {
 
 const char* nameOf(Source source) {
   switch (source) {
-    case Source::kRounding: return "rounding";
-    case Source::kIntegration: return "integration";
-    case Source::kGeometry: return "geometry";
+    case Source::kRounding:
+      return "rounding";
+    case Source::kIntegration:
+      return "integration";
+    case Source::kGeometry:
+      return "geometry";
   }
   return "";
 }
@@ -253,11 +258,13 @@ Expectation expectationOf(const CaseSize& the_case, const RunKey& a, const RunSi
   };
   std::vector<Part> parts = {{geometry(worst), Source::kGeometry, geometryWords(the_case)}};
   if (!same_steps) {
-    if (a_size.integration(worst) > 0.0) parts.push_back({a_size.integration(worst), Source::kIntegration, integrationWords(a)});
-    if (b_size.integration(worst) > 0.0) parts.push_back({b_size.integration(worst), Source::kIntegration, integrationWords(b)});
+    if (a_size.integration(worst) > 0.0)
+      parts.push_back({a_size.integration(worst), Source::kIntegration, integrationWords(a)});
+    if (b_size.integration(worst) > 0.0)
+      parts.push_back({b_size.integration(worst), Source::kIntegration, integrationWords(b)});
   }
-  parts.push_back({made.rounding(worst), Source::kRounding,
-                   same_steps ? "same equations, same rk4 steps" : "same equations"});
+  parts.push_back(
+      {made.rounding(worst), Source::kRounding, same_steps ? "same equations, same rk4 steps" : "same equations"});
   std::stable_sort(parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.size > q.size; });
   made.source = parts.front().source;
   // A second part is worth a word from a tenth of the whole on.

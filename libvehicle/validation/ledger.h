@@ -12,19 +12,23 @@ namespace vehicle {
 // follows from the vehicle, the track, the speed and the method's own settings. docs/theory/validation.md derives it.
 
 /// Why two runs differ.
-enum class Source { kRounding, kIntegration, kGeometry };
+enum class Source {
+  kRounding,
+  kIntegration,
+  kGeometry
+};
 [[nodiscard]] const char* nameOf(Source source);
 
 /// One run of a case: its names and what its error depends on.
 struct RunKey {
   std::string form;
   std::string method;
-  int refine = 1;           // rk4: 1 at the step, 2 at half the step
-  double step = 1e-3;       // [s] rk4
-  double relative = 0.0;    // dopri5
-  double absolute = 0.0;    // dopri5
-  double accuracy = 0.0;    // simbody_rkm
-  long steps = 0;           // taken
+  int refine = 1;         // rk4: 1 at the step, 2 at half the step
+  double step = 1e-3;     // [s] rk4
+  double relative = 0.0;  // dopri5
+  double absolute = 0.0;  // dopri5
+  double accuracy = 0.0;  // simbody_rkm
+  long steps = 0;         // taken
   /// "flat rk4", "mbs simbody_rkm", "matrix rk4 h/2"
   [[nodiscard]] std::string text() const;
 };
@@ -35,7 +39,7 @@ struct RunSize {
   Eigen::VectorXd rounding;        // of its own arithmetic
   Eigen::VectorXd input_rounding;  // of the rail: common to runs of one method
   Eigen::VectorXd integration;
-  Eigen::VectorXd geometry;        // zero unless the form has the true geometry
+  Eigen::VectorXd geometry;  // zero unless the form has the true geometry
 };
 
 /// @param step_difference  (outputs) rk4: max |y(h) - y(h/2)| of this form, from which Richardson's extrapolation
@@ -44,10 +48,10 @@ struct RunSize {
 
 /// What to expect of a pair.
 struct Expectation {
-  Eigen::VectorXd size;      // (outputs) largest difference that the sources explain, in each column's unit
-  Eigen::VectorXd rounding;  // (outputs) the part of it that is rounding
+  Eigen::VectorXd size;               // (outputs) largest difference that the sources explain, in each column's unit
+  Eigen::VectorXd rounding;           // (outputs) the part of it that is rounding
   Source source = Source::kRounding;  // the largest part, where the expectation is largest against the column's peak
-  std::string why;           // in words
+  std::string why;                    // in words
 };
 
 /// The sum of both sides' sizes, except what both sides share: the same rk4 steps make the same integration error,

@@ -34,8 +34,8 @@ double meanOf(std::size_t samples, F f) {
 
 Norms compareColumns(std::span<const double> reference, std::span<const double> other, double floor) {
   if (reference.size() != other.size() || reference.empty()) {
-    throw std::invalid_argument(fmt::format("compareColumns: {} samples against {}, must be equally many and at least 1",
-                                            reference.size(), other.size()));
+    throw std::invalid_argument(fmt::format(
+        "compareColumns: {} samples against {}, must be equally many and at least 1", reference.size(), other.size()));
   }
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const std::size_t samples = reference.size();

@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/MatrixFunctions>
 
 namespace vehicle {
@@ -65,7 +65,8 @@ Eigen::MatrixXd impulseSize(const Sensitivity& made, double duration) {
 }  // namespace
 
 Sensitivity sensitivityOf(const System& system, double duration) {
-  if (!(duration > 0.0)) throw std::invalid_argument(fmt::format("sensitivityOf: duration = {} s, must be > 0", duration));
+  if (!(duration > 0.0))
+    throw std::invalid_argument(fmt::format("sensitivityOf: duration = {} s, must be > 0", duration));
   std::optional<StateSpace> matrices = system.linear();
   if (!matrices) throw std::invalid_argument("sensitivityOf: the system must be linear");
   Sensitivity made;

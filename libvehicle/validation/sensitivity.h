@@ -19,13 +19,13 @@ namespace vehicle {
 /// (the largest output a bounded disturbance can bring about: the 1-norm of the impulse response, reached by the
 /// worst sign pattern). Source: J. C. Doyle, B. A. Francis, A. R. Tannenbaum, Feedback Control Theory, sec. 2.2.
 struct Sensitivity {
-  StateSpace matrices;        // A (n x n), B (n x 2 w)
-  Eigen::MatrixXd C;          // (outputs x n)   what a state does to a column
-  Eigen::MatrixXd D;          // (outputs x 3 w) what heights, rates, accelerations do
+  StateSpace matrices;            // A (n x n), B (n x 2 w)
+  Eigen::MatrixXd C;              // (outputs x n)   what a state does to a column
+  Eigen::MatrixXd D;              // (outputs x 3 w) what heights, rates, accelerations do
   Eigen::VectorXd static_output;  // (outputs) columns at rest: the static loads
-  Eigen::MatrixXd L;          // (outputs x n) [s]
-  double fastest = 0.0;       // [1/s] max |lambda(A)|
-  double slowest_decay = 0.0; // [1/s] min -Re lambda(A); negative if unstable
+  Eigen::MatrixXd L;              // (outputs x n) [s]
+  double fastest = 0.0;           // [1/s] max |lambda(A)|
+  double slowest_decay = 0.0;     // [1/s] min -Re lambda(A); negative if unstable
 };
 
 /// @param system    linear

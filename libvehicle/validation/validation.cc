@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include "libvehicle/excitation/excitation.h"
 
@@ -26,7 +26,8 @@ constexpr std::size_t kFewSamples = 50;
 
 /// The differences of few samples, none smaller against its column's peak than the largest of all columns that are
 /// more than rounding.
-Eigen::VectorXd liftedFromZeros(const Eigen::VectorXd& difference, const CaseSize& size, const Eigen::VectorXd& rounding) {
+Eigen::VectorXd liftedFromZeros(const Eigen::VectorXd& difference, const CaseSize& size,
+                                const Eigen::VectorXd& rounding) {
   const Eigen::VectorXd& peak = size.motion.output;
   double largest = 0.0;
   for (Eigen::Index i = 0; i < peak.size(); ++i) {
@@ -68,7 +69,8 @@ class Case {
     if (problems.empty()) problems.append(check(scenario_, vehicle_));
     if (!problems.empty()) throw InvalidInput(std::move(problems));
     const double step = choice_.run.step;
-    if (!(std::isfinite(step) && step > 0.0)) throw std::invalid_argument(fmt::format("step = {} s, must be finite and > 0", step));
+    if (!(std::isfinite(step) && step > 0.0))
+      throw std::invalid_argument(fmt::format("step = {} s, must be finite and > 0", step));
   }
 
   void plan() {
@@ -97,7 +99,8 @@ class Case {
       }
       if (!runs) {
         const std::string method = defaultMethod(form);
-        report_.notes.push_back(fmt::format("{}: none of the methods asked for can run it; it runs by {}", form, method));
+        report_.notes.push_back(
+            fmt::format("{}: none of the methods asked for can run it; it runs by {}", form, method));
         planMethod(form, method);
       }
     }
@@ -120,8 +123,9 @@ class Case {
       const double resolving = resolvingRk4Step(own.system->linear()->A, duration());
       own.rk4_step = std::min(choice_.run.step, resolving);
       if (resolving < choice_.run.step) {
-        report_.notes.push_back(fmt::format("rk4 takes steps of {:.3g} ms instead of {:.4g} ms: the fastest mode of {} asks for it",
-                                            1e3 * resolving, 1e3 * choice_.run.step, report_.vehicle));
+        report_.notes.push_back(
+            fmt::format("rk4 takes steps of {:.3g} ms instead of {:.4g} ms: the fastest mode of {} asks for it",
+                        1e3 * resolving, 1e3 * choice_.run.step, report_.vehicle));
       }
     }
     return *own.rk4_step;
@@ -183,10 +187,10 @@ class Case {
     const double columns = static_cast<double>(equations("matrix").system->outputs().size() + 1);
     const double all = 8.0 * samples * columns * static_cast<double>(report_.runs.size());
     if (all > kMostBytes) {
-      throw std::invalid_argument(
-          fmt::format("{} runs of {:.0f} samples need {:.1f} GiB, allowed are {:.0f}; take a longer output_step, a shorter "
-                      "duration or fewer forms and methods",
-                      report_.runs.size(), samples, all / 1073741824.0, kMostBytes / 1073741824.0));
+      throw std::invalid_argument(fmt::format(
+          "{} runs of {:.0f} samples need {:.1f} GiB, allowed are {:.0f}; take a longer output_step, a shorter "
+          "duration or fewer forms and methods",
+          report_.runs.size(), samples, all / 1073741824.0, kMostBytes / 1073741824.0));
     }
   }
 
@@ -210,8 +214,8 @@ class Case {
       const std::optional<std::size_t> exact = find(own.name, "exact", 1);
       const double finer = finerStep(*own.system, input);
       own.size = finer < scenario_.run.output_step && isLinearForm(own.name)
-                     ? sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input, finerHistory(own.name, finer),
-                                  scenario_.run.output_step)
+                     ? sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input,
+                                  finerHistory(own.name, finer), scenario_.run.output_step)
                      : sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input,
                                   histories_[exact.value_or(run)], scenario_.run.output_step);
     }

@@ -39,7 +39,7 @@ struct Misfit {
 struct ValidationReport {
   std::string vehicle;
   std::string scenario;
-  double speed = 0.0;  // [m/s]
+  double speed = 0.0;               // [m/s]
   std::vector<ValidationRun> runs;  // number 0 is the reference: the exact solution of the matrix form
   std::vector<Misfit> misfits;
   std::vector<std::string> notes;

@@ -18,7 +18,8 @@ TEST(CommandLine, HelpOfEveryCommandGivesUsageExampleAndExitStatusOnStdout) {
     EXPECT_EQ(run.status, 0) << command;
     EXPECT_EQ(run.out.rfind("usage: vehicle " + command, 0), 0u) << run.out;
     EXPECT_TRUE(has(run.out, "Example: vehicle " + command)) << command;
-    EXPECT_TRUE(has(run.out, "Exit status: 0 done; 1 an input file is wrong; 2 this command line is wrong; 3 the run failed;"))
+    EXPECT_TRUE(
+        has(run.out, "Exit status: 0 done; 1 an input file is wrong; 2 this command line is wrong; 3 the run failed;"))
         << command;
     EXPECT_EQ(run.err, "") << command;
   }
@@ -58,23 +59,32 @@ TEST(CommandLine, WhatIsWrongIsNamedBackOnStderrWithStatusTwo) {
       {{}, "vehicle: a command is missing; see vehicle --help\n"},
       {{"simulat"}, "vehicle: command \"simulat\" is unknown; did you mean \"simulate\"?\n"},
       {{"--verbose"}, "vehicle: option \"--verbose\" is unknown; "},
-      {{"simulate", "--fomr", "flat", vehicle, scenario}, "vehicle simulate: option \"--fomr\" is unknown; did you mean \"--form\"?\n"},
-      {{"simulate", vehicle, scenario, "--fomr=flat"}, "vehicle simulate: option \"--fomr\" is unknown; did you mean \"--form\"?\n"},
-      {{"modes", vehicle, "--gravty", "9.81 m/s^2"}, "vehicle modes: option \"--gravty\" is unknown; did you mean \"--gravity\"?\n"},
+      {{"simulate", "--fomr", "flat", vehicle, scenario},
+       "vehicle simulate: option \"--fomr\" is unknown; did you mean \"--form\"?\n"},
+      {{"simulate", vehicle, scenario, "--fomr=flat"},
+       "vehicle simulate: option \"--fomr\" is unknown; did you mean \"--form\"?\n"},
+      {{"modes", vehicle, "--gravty", "9.81 m/s^2"},
+       "vehicle modes: option \"--gravty\" is unknown; did you mean \"--gravity\"?\n"},
       {{"simulate", vehicle}, "vehicle simulate: SCENARIO is missing; "},
       {{"check"}, "vehicle check: FILE is missing; "},
       {{"simulate", vehicle, scenario, "extra"}, "vehicle simulate: \"extra\" is one argument too many; "},
       {{"simulate", vehicle, scenario, "--speed"}, "vehicle simulate: --speed needs a value; "},
       {{"simulate", vehicle, scenario, "--speed", "20 m"},
        "vehicle simulate: --speed: \"20 m\" is a length; a speed is expected, e.g. \"72 km/h\""},
-      {{"simulate", vehicle, scenario, "--speed", "20"}, "vehicle simulate: --speed: \"20\" has no unit; a speed is expected"},
-      {{"simulate", vehicle, scenario, "--speed", "-3 m/s"}, "vehicle simulate: --speed: \"-3 m/s\" must be finite and > 0"},
+      {{"simulate", vehicle, scenario, "--speed", "20"},
+       "vehicle simulate: --speed: \"20\" has no unit; a speed is expected"},
+      {{"simulate", vehicle, scenario, "--speed", "-3 m/s"},
+       "vehicle simulate: --speed: \"-3 m/s\" must be finite and > 0"},
       {{"simulate", vehicle, scenario, "--step", "0 ms"}, "vehicle simulate: --step: \"0 ms\" must be finite and > 0"},
-      {{"simulate", vehicle, scenario, "--form", "matrxi"}, "vehicle simulate: --form: \"matrxi\" is unknown; did you mean \"matrix\"?"},
-      {{"simulate", vehicle, scenario, "--method", "dopri"}, "vehicle simulate: --method: \"dopri\" is unknown; did you mean \"dopri5\"?"},
-      {{"simulate", vehicle, scenario, "--form", "mbs", "--method", "exact"}, "vehicle: exact needs a linear form; mbs is nonlinear\n"},
+      {{"simulate", vehicle, scenario, "--form", "matrxi"},
+       "vehicle simulate: --form: \"matrxi\" is unknown; did you mean \"matrix\"?"},
+      {{"simulate", vehicle, scenario, "--method", "dopri"},
+       "vehicle simulate: --method: \"dopri\" is unknown; did you mean \"dopri5\"?"},
+      {{"simulate", vehicle, scenario, "--form", "mbs", "--method", "exact"},
+       "vehicle: exact needs a linear form; mbs is nonlinear\n"},
       {{"simulate", vehicle, scenario, "--output", "run.txt"}, "vehicle: run.txt: extension \".txt\" is unknown; "},
-      {{"simulate", vehicle, scenario, "--output", "a.csv", "--output", "a.csv"}, "vehicle: --output a.csv is given twice\n"},
+      {{"simulate", vehicle, scenario, "--output", "a.csv", "--output", "a.csv"},
+       "vehicle: --output a.csv is given twice\n"},
       {{"modes", vehicle, "--form", "mbs"}, "vehicle: --form: modes need a linear form; mbs is nonlinear\n"},
       {{"info", vehicle, "--format", "jsn"}, "vehicle info: --format: \"jsn\" is unknown; did you mean \"json\"?"},
       {{"schema", "--xsd", "--markdown"}, "vehicle schema: --xsd excludes --markdown"},
@@ -93,7 +103,9 @@ TEST(CommandLine, BashCompletionKnowsEveryCommandAndEveryOptionOfItsHelp) {
   const std::string completion = textOf(std::string(VEHICLE_SOURCE_DIR) + "/apps/cli/completion/vehicle.bash");
   ASSERT_NE(completion, "");
   for (const std::string& command : kCommands) {
-    EXPECT_TRUE(has(completion, " " + command + " ") || has(completion, "\"" + command + " ") || has(completion, command + "\"")) << command;
+    EXPECT_TRUE(has(completion, " " + command + " ") || has(completion, "\"" + command + " ") ||
+                has(completion, command + "\""))
+        << command;
     EXPECT_TRUE(has(completion, "      " + command + ") words=")) << command;
     const std::string help = runVehicle({command, "--help"}).out;
     for (std::size_t at = help.find("\n  --"); at != std::string::npos; at = help.find("\n  --", at + 1)) {

@@ -121,8 +121,8 @@ TEST(SimulateCommand, WritesHistoriesThatReadBackAlike) {
   const TestFolder folder;
   const std::string vehicle = folder.file("v.xml", smallVehicle());
   const std::string scenario = folder.file("s.xml", smallScenario(kRun));
-  const ProgramRun run = runVehicle({"simulate", vehicle, scenario, "--method", "rk4", "--step", "2 ms", "--speed", "36 km/h",
-                                     "--output", folder.path("run.csv"), "--output", folder.path("run.h5")});
+  const ProgramRun run = runVehicle({"simulate", vehicle, scenario, "--method", "rk4", "--step", "2 ms", "--speed",
+                                     "36 km/h", "--output", folder.path("run.csv"), "--output", folder.path("run.h5")});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "written: " + folder.path("run.csv") + "\nwritten: " + folder.path("run.h5") + "\n");
   const TimeHistory csv = readCsv(folder.path("run.csv")).orThrow();
@@ -145,8 +145,9 @@ TEST(SimulateCommand, WritesHistoriesThatReadBackAlike) {
 
 TEST(SimulateCommand, QuietLeavesStderrEmpty) {
   const TestFolder folder;
-  const ProgramRun run = runVehicle({"simulate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)),
-                                     "--quiet", "--output", folder.path("run.csv")});
+  const ProgramRun run =
+      runVehicle({"simulate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)),
+                  "--quiet", "--output", folder.path("run.csv")});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_NE(run.out, "");
@@ -163,16 +164,17 @@ TEST(SimulateCommand, TheProblemsOfBothFilesStandOnStderrWithStatusOne) {
 
 TEST(SimulateCommand, AFormThatDoesNotFitIsAWrongInputWithTheElementNamed) {
   const TestFolder folder;
-  const ProgramRun run = runVehicle({"simulate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)),
-                                     "--form", "flat"});
+  const ProgramRun run = runVehicle(
+      {"simulate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)), "--form", "flat"});
   EXPECT_EQ(run.status, 1);
   EXPECT_TRUE(has(run.err, folder.path("v.xml"))) << run.err;
 }
 
 TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeTheRunWithStatusThree) {
   const TestFolder folder;
-  const ProgramRun run = runVehicle({"simulate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)),
-                                     "--output", folder.path("no-such-folder/run.csv")});
+  const ProgramRun run =
+      runVehicle({"simulate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)),
+                  "--output", folder.path("no-such-folder/run.csv")});
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.out, "");
   EXPECT_TRUE(has(run.err, "no-such-folder/run.csv: cannot be written")) << run.err;
@@ -180,10 +182,11 @@ TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeTheRunWithStatusThr
 
 TEST(SimulateCommand, CtrlCEndsALongRunAndKeepsWhatIsDone) {
   const TestFolder folder;
-  const std::string scenario = folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="40000 s" output_step="10 ms")"));
+  const std::string scenario =
+      folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="40000 s" output_step="10 ms")"));
   const auto interrupt = [](int process) { kill(process, SIGINT); };
-  const ProgramRun run = runVehicle({"simulate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs", "--method", "rk4",
-                                     "--output", folder.path("run.csv")},
+  const ProgramRun run = runVehicle({"simulate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs",
+                                     "--method", "rk4", "--output", folder.path("run.csv")},
                                     interrupt, std::chrono::milliseconds(1500));
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_TRUE(has(run.err, "vehicle: interrupted at t = ")) << run.err;
@@ -194,8 +197,8 @@ TEST(SimulateCommand, CtrlCEndsALongRunAndKeepsWhatIsDone) {
 
 TEST(ValidateCommand, ASmallVehicleIsInsideAndEveryPairStandsInTheJson) {
   const TestFolder folder;
-  const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)),
-                                     "--format", "json"});
+  const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()),
+                                     folder.file("s.xml", smallScenario(kRun)), "--format", "json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const Json report = Json::parse(run.out);
   EXPECT_EQ(report["facts"]["inside"]["value"], true);
@@ -208,8 +211,9 @@ TEST(ValidateCommand, ASmallVehicleIsInsideAndEveryPairStandsInTheJson) {
 
 TEST(ValidateCommand, PairsOfTheTableNameTheirReason) {
   const TestFolder folder;
-  const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)),
-                                     "--form", "matrix", "--form", "mbs-linear", "--method", "rk4", "--step", "5 ms", "--details"});
+  const ProgramRun run =
+      runVehicle({"validate", folder.file("v.xml", smallVehicle()), folder.file("s.xml", smallScenario(kRun)), "--form",
+                  "matrix", "--form", "mbs-linear", "--method", "rk4", "--step", "5 ms", "--details"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(has(run.out, "rounding: same equations, same rk4 steps")) << run.out;
   EXPECT_TRUE(has(run.out, "integration: rk4 at 5 ms, by Richardson")) << run.out;
@@ -234,10 +238,11 @@ TEST(ValidateCommand, ASuiteGetsOneLineACase) {
 
 TEST(ValidateCommand, CtrlCEndsItAndSaysHowFarItCame) {
   const TestFolder folder;
-  const std::string scenario = folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="3000 s" output_step="10 ms")"));
+  const std::string scenario =
+      folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="3000 s" output_step="10 ms")"));
   const auto interrupt = [](int process) { kill(process, SIGINT); };
-  const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs"}, interrupt,
-                                    std::chrono::milliseconds(1000));
+  const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs"},
+                                    interrupt, std::chrono::milliseconds(1000));
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_EQ(run.err, "vehicle: interrupted; 0 of 1 cases are finished\n");
 }

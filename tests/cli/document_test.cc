@@ -14,7 +14,9 @@ Document sample() {
   Table table{"bodies", {{"body", ""}, {"mass", "t"}, {"steps", ""}, {"fits", ""}}, {}};
   table.rows.push_back({std::string("carbody"), 57.0, 12L, true});
   table.rows.push_back({std::string("a \"b\", c"), 0.1 + 0.2, {}, false});
-  return {{{"speed", 20.0, "m/s"}, {"vehicle", std::string("coach"), ""}}, {table, {"empty", {{"x", ""}}, {}}}, {"all well"}};
+  return {{{"speed", 20.0, "m/s"}, {"vehicle", std::string("coach"), ""}},
+          {table, {"empty", {{"x", ""}}, {}}},
+          {"all well"}};
 }
 
 std::string printed(const Document& document, Format format) {

@@ -81,7 +81,8 @@ std::string smallVehicle() {
 
 std::string smallScenario(const std::string& run) {
   return "<scenario name=\"waves\" format=\"1\">\n  <run " + run +
-         "/>\n  <track history=\"onset\">\n    <harmonic wavelength=\"25 m\" amplitude=\"5 mm\"/>\n  </track>\n</scenario>\n";
+         "/>\n  <track history=\"onset\">\n    <harmonic wavelength=\"25 m\" amplitude=\"5 mm\"/>\n  "
+         "</track>\n</scenario>\n";
 }
 
 }  // namespace vehicle::test

@@ -35,9 +35,10 @@ TEST(ValidationTables, APairOutsideEndsWithFourAndIsNamedWithItsColumn) {
   const ValidationReport report = reportWith(Verdict::kOutside);
   EXPECT_EQ(exitStatusOf({reportWith(Verdict::kInside), report}), kCheckDidNotHold);
   ASSERT_EQ(complaintsOf(report).size(), 1u);
-  EXPECT_EQ(complaintsOf(report)[0],
-            "coach on waves at 20 m/s: matrix exact against mbs rk4: carbody.z differs by 3e-05 m, expected at most 1e-12 m "
-            "(rounding: same equations)");
+  EXPECT_EQ(
+      complaintsOf(report)[0],
+      "coach on waves at 20 m/s: matrix exact against mbs rk4: carbody.z differs by 3e-05 m, expected at most 1e-12 m "
+      "(rounding: same equations)");
 }
 
 TEST(ValidationTables, AllInsideEndsWithZeroAndNothingIsSaid) {

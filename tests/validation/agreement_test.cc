@@ -9,8 +9,11 @@
 namespace vehicle {
 namespace {
 
-const std::vector<Channel> kColumns = {{"carbody.z", "m"}, {"carbody.vz", "m/s"}, {"carbody.az", "m/s^2"},
-                                       {"primary_1.force", "N"}, {"carbody.pitch", "rad"}};
+const std::vector<Channel> kColumns = {{"carbody.z", "m"},
+                                       {"carbody.vz", "m/s"},
+                                       {"carbody.az", "m/s^2"},
+                                       {"primary_1.force", "N"},
+                                       {"carbody.pitch", "rad"}};
 
 /// Every column is amplitude * scale_j * sin(t); pitch is nothing but rounding.
 TimeHistory history(double amplitude) {
@@ -84,8 +87,9 @@ TEST(CompareHistories, HistoriesOfDifferentShapeAreRefused) {
   TimeHistory longer = history(1.0);
   longer.append(20.05);
   EXPECT_THROW(static_cast<void>(compareHistories(history(1.0), longer, std::nullopt)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(compareHistories(history(1.0), TimeHistory(std::vector<Channel>{{"z", "m"}}), std::nullopt)),
-               std::invalid_argument);
+  EXPECT_THROW(
+      static_cast<void>(compareHistories(history(1.0), TimeHistory(std::vector<Channel>{{"z", "m"}}), std::nullopt)),
+      std::invalid_argument);
 }
 
 }  // namespace

@@ -60,16 +60,14 @@ TEST_P(EveryVehicle, IsInsideOnHarmonicsSlowlyAndOnDipsFast) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Validate, EveryVehicle,
-                         ::testing::Values(Named{"Undamped", undampedPaperVehicle()},
-                                           Named{"Asymmetric", test::asymmetricVehicle()},
-                                           Named{"BogiePitch", test::bogiePitchVehicle()},
-                                           Named{"Contact", test::contactVehicle()},
-                                           Named{"Hertz", test::hertzVehicle()},
-                                           Named{"Heights", test::heightsVehicle()},
-                                           Named{"HeightsAboveTheCentre", test::heightsVehicle(-0.3)},
-                                           Named{"BogiePitchHeights", test::bogiePitchHeightsVehicle(0.2)}),
-                         [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Validate, EveryVehicle,
+    ::testing::Values(Named{"Undamped", undampedPaperVehicle()}, Named{"Asymmetric", test::asymmetricVehicle()},
+                      Named{"BogiePitch", test::bogiePitchVehicle()}, Named{"Contact", test::contactVehicle()},
+                      Named{"Hertz", test::hertzVehicle()}, Named{"Heights", test::heightsVehicle()},
+                      Named{"HeightsAboveTheCentre", test::heightsVehicle(-0.3)},
+                      Named{"BogiePitchHeights", test::bogiePitchHeightsVehicle(0.2)}),
+    [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
 }  // namespace vehicle

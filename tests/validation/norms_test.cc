@@ -92,7 +92,8 @@ TEST(Norms, AValueThatIsNoNumberIsNeverWithinAnything) {
 }
 
 TEST(Norms, ColumnsOfDifferentLengthAreRefused) {
-  EXPECT_THROW(static_cast<void>(compareColumns(std::vector<double>(3), std::vector<double>(4))), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(compareColumns(std::vector<double>(3), std::vector<double>(4))),
+               std::invalid_argument);
   EXPECT_THROW(static_cast<void>(compareColumns(std::vector<double>(), std::vector<double>())), std::invalid_argument);
 }
 

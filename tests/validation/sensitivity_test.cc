@@ -71,8 +71,8 @@ TEST(Sensitivity, ADurationThatIsNotPositiveIsRefused) {
 // 120 * 0.05 / (T w^5) to the power 1/4 for an undamped mode; rounding of pow and of the eigenvalue.
 TEST(ResolvingRk4Step, OfAnUndampedModeFollowsFromItsLossOverTheRun) {
   const double w = 3.0, duration = 40.0;
-  EXPECT_WITHIN(resolvingRk4Step(Oscillator(w, 0.0).linear()->A, duration), std::pow(6.0 / (duration * std::pow(w, 5)), 0.25),
-                1e-12);
+  EXPECT_WITHIN(resolvingRk4Step(Oscillator(w, 0.0).linear()->A, duration),
+                std::pow(6.0 / (duration * std::pow(w, 5)), 0.25), 1e-12);
 }
 
 // rk4 is stable on the real axis up to h |lambda| = 2.785.

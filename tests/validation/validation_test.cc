@@ -28,8 +28,8 @@ std::string outsideOf(const ValidationReport& report) {
   for (const PairAgreement& pair : report.pairs) {
     if (pair.verdict != Verdict::kOutside) continue;
     const ColumnAgreement& worst = pair.columns[pair.worst];
-    text += report.runs[pair.first].key.text() + " / " + report.runs[pair.second].key.text() + ": " + worst.column.name +
-            " " + std::to_string(worst.norms.max_difference / *worst.expected) + " of limit\n";
+    text += report.runs[pair.first].key.text() + " / " + report.runs[pair.second].key.text() + ": " +
+            worst.column.name + " " + std::to_string(worst.norms.max_difference / *worst.expected) + " of limit\n";
   }
   for (const ValidationRun& run : report.runs) text += run.failure;
   return text;
@@ -38,7 +38,8 @@ std::string outsideOf(const ValidationReport& report) {
 Expectation expectationOf(const PairAgreement& pair) {
   Expectation made;
   made.size.resize(static_cast<Eigen::Index>(pair.columns.size()));
-  for (Eigen::Index i = 0; i < made.size.size(); ++i) made.size(i) = *pair.columns[static_cast<std::size_t>(i)].expected;
+  for (Eigen::Index i = 0; i < made.size.size(); ++i)
+    made.size(i) = *pair.columns[static_cast<std::size_t>(i)].expected;
   made.rounding = Eigen::VectorXd::Zero(made.size.size());
   return made;
 }
@@ -222,8 +223,8 @@ TEST(Validate, AnUnknownFormOrMethodIsNamedBack) {
 
 TEST(Validate, EndsEarlyWhenAsked) {
   int calls = 0;
-  const ValidationReport report = validate(test::paperVehicle(), shortScenario(1.0), {},
-                                           [&](double, const std::string&) { return ++calls < 4; });
+  const ValidationReport report =
+      validate(test::paperVehicle(), shortScenario(1.0), {}, [&](double, const std::string&) { return ++calls < 4; });
   EXPECT_TRUE(report.stopped);
   EXPECT_FALSE(report.inside());
 }

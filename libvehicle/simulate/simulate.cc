@@ -54,7 +54,7 @@ class Recorder {
       }
     }
     // Asking after every sample would cost more than a step of the exact method.
-    constexpr int kSamplesBetweenReports = 256;
+    constexpr int kSamplesBetweenReports = 16;
     if (!progress_ || sample % kSamplesBetweenReports != 0) return true;
     return progress_(static_cast<double>(sample + 1) / schedule_.samples());
   }

@@ -1,26 +1,22 @@
 #include "tests/architecture/layering.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/test_folder.h"
 
 namespace vehicle::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A made-up tree in a folder of its own, gone with the test.
+/// A made-up tree that is gone with the test.
 class Tree {
  public:
   Tree() {
-    std::string name = (fs::temp_directory_path() / "vehicle-tree-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder " + name);
-    root_ = name;
     put("libvehicle/CMakeLists.txt",
         "include(room.cmake)\n"
         "vehicle_room(units)  # vehicle_room(ghost)\n"
@@ -35,15 +31,8 @@ class Tree {
     room("mbs", "form.h", "");
     room("run", "run.h", "#include \"libvehicle/system/system.h\"\n");
   }
-  ~Tree() { fs::remove_all(root_); }
-  Tree(const Tree&) = delete;
-  Tree& operator=(const Tree&) = delete;
-
-  const fs::path& root() const { return root_; }
-  void put(const std::string& path, const std::string& text) const {
-    fs::create_directories((root_ / path).parent_path());
-    std::ofstream(root_ / path) << text;
-  }
+  const fs::path& root() const { return folder_.root(); }
+  void put(const std::string& path, const std::string& text) const { folder_.file(path, text); }
   void room(const std::string& name, const std::string& header, const std::string& text) const {
     put("libvehicle/" + name + "/CMakeLists.txt", "vehicle_files(HEADERS " + header + "\n  SOURCES a.cc)\n");
     put("libvehicle/" + name + "/" + header, text);
@@ -51,7 +40,7 @@ class Tree {
   }
 
  private:
-  fs::path root_;
+  TestFolder folder_;
 };
 
 Violations sorted(Violations violations) {

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "tests/support/test_folder.h"
 
 namespace vehicle::test {
 
@@ -21,24 +22,6 @@ struct ProgramRun {
                                     const std::function<void(int)>& while_running = {},
                                     std::chrono::milliseconds delay = std::chrono::milliseconds(0));
 
-/// A folder of its own for one test, gone at its end.
-class TestFolder {
- public:
-  TestFolder();
-  ~TestFolder();
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  /// Writes a file and returns its path.
-  [[nodiscard]] std::string file(const std::string& name, const std::string& text) const;
-
- private:
-  std::filesystem::path folder_;
-};
-
-/// Text of a file, "" if there is none.
-[[nodiscard]] std::string textOf(const std::string& path);
 /// models/..., as an absolute path.
 [[nodiscard]] std::string model(const std::string& name);
 

@@ -1,13 +1,10 @@
 // The MATLAB side of the paper: docs/matlab/paper_ode45.m under Octave against the exact solution of the flat form.
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,6 +12,7 @@
 
 #include "libvehicle/simulate/simulate.h"
 #include "tests/support/table.h"
+#include "tests/support/test_folder.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -24,27 +22,19 @@ namespace {
 /// Runs the script in a folder of its own and gives its table.
 class Ode45 {
  public:
-  Ode45() {
-    std::string name = (std::filesystem::temp_directory_path() / "vehicle-ode45-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder " + name);
-    folder_ = name;
-  }
-  ~Ode45() { std::filesystem::remove_all(folder_); }
-  Ode45(const Ode45&) = delete;
-  Ode45& operator=(const Ode45&) = delete;
-
-  /// @param options  the tolerances, as Octave reads them: "1e-3, 1e-6"
+  /// @param tolerances  as Octave reads them: "1e-3, 1e-6"
   /// @returns Octave's exit status
   [[nodiscard]] int run(const std::string& history, const std::string& tolerances, const std::string& kinks) const {
     const std::string call = "paper_ode45('" + history + "', " + tolerances + ", '" + file() + "', '" + kinks + "')";
     const std::string command = std::string(VEHICLE_OCTAVE) + " --no-gui --norc --quiet --no-history --path '" +
-                                VEHICLE_SOURCE_DIR "/docs/matlab' --eval \"" + call + "\" 2>'" + folder_ + "/messages'";
+                                VEHICLE_SOURCE_DIR "/docs/matlab' --eval \"" + call + "\" 2>'" +
+                                folder_.path("messages") + "'";
     return std::system(command.c_str());
   }
-  [[nodiscard]] std::string file() const { return folder_ + "/ode45.csv"; }
+  [[nodiscard]] std::string file() const { return folder_.path("ode45.csv"); }
 
  private:
-  std::string folder_;
+  TestFolder folder_;
 };
 
 /// Largest difference of the eight states over the run, each as a share of its peak in the exact solution.

@@ -20,15 +20,15 @@
 #include "libvehicle/storage/csv.h"
 #include "libvehicle/storage/hdf5.h"
 #include "libvehicle/storage/history_file.h"
-#include "tests/storage/scratch.h"
+#include "tests/storage/histories.h"
+#include "tests/support/test_folder.h"
 
 namespace vehicle {
 namespace {
 
-using test::contentOf;
 using test::numberedHistory;
-using test::put;
-using test::Scratch;
+using test::TestFolder;
+using test::textOf;
 
 std::string failureOf(const std::function<void()>& write) {
   try {
@@ -40,71 +40,71 @@ std::string failureOf(const std::function<void()>& write) {
 }
 
 TEST(AtomicFile, NothingStandsUnderTheNameBeforeItIsPublished) {
-  const Scratch scratch;
-  put(scratch / "run.csv", "old");
+  const TestFolder scratch;
+  scratch.file("run.csv", "old");
   {
-    AtomicFile file(scratch / "run.csv");
+    AtomicFile file(scratch.path("run.csv"));
     file.write("new");
-    EXPECT_EQ(contentOf(scratch / "run.csv"), "old");
+    EXPECT_EQ(textOf(scratch.path("run.csv")), "old");
     file.publish();
-    EXPECT_EQ(contentOf(scratch / "run.csv"), "new");
+    EXPECT_EQ(textOf(scratch.path("run.csv")), "new");
   }
   EXPECT_EQ(scratch.entries(), 1u);
 }
 
 TEST(AtomicFile, WhatIsNotPublishedLeavesNoTrace) {
-  const Scratch scratch;
-  { AtomicFile(scratch / "run.csv").write("half"); }
+  const TestFolder scratch;
+  { AtomicFile(scratch.path("run.csv")).write("half"); }
   EXPECT_EQ(scratch.entries(), 0u);
 }
 
 TEST(AtomicFile, TwoWritersOfOneNameDoNotMeet) {
-  const Scratch scratch;
-  AtomicFile first(scratch / "run.csv");
-  AtomicFile second(scratch / "run.csv");
+  const TestFolder scratch;
+  AtomicFile first(scratch.path("run.csv"));
+  AtomicFile second(scratch.path("run.csv"));
   first.write("first");
   second.write("second");
   second.publish();
   first.publish();
-  EXPECT_EQ(contentOf(scratch / "run.csv"), "first");
+  EXPECT_EQ(textOf(scratch.path("run.csv")), "first");
 }
 
 TEST(AtomicFile, ALinkStaysALink) {
-  const Scratch scratch;
-  put(scratch / "target.csv", "old");
-  std::filesystem::create_symlink(scratch / "target.csv", scratch / "link.csv");
-  AtomicFile file(scratch / "link.csv");
+  const TestFolder scratch;
+  scratch.file("target.csv", "old");
+  std::filesystem::create_symlink(scratch.path("target.csv"), scratch.path("link.csv"));
+  AtomicFile file(scratch.path("link.csv"));
   file.write("new");
   file.publish();
-  EXPECT_TRUE(std::filesystem::is_symlink(scratch / "link.csv"));
-  EXPECT_EQ(contentOf(scratch / "target.csv"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("link.csv")));
+  EXPECT_EQ(textOf(scratch.path("target.csv")), "new");
 }
 
 TEST(AtomicFile, PermissionsFollowTheUmask) {
-  const Scratch scratch;
+  const TestFolder scratch;
   const mode_t before = ::umask(027);
-  AtomicFile file(scratch / "run.csv");
+  AtomicFile file(scratch.path("run.csv"));
   file.publish();
   ::umask(before);
-  EXPECT_EQ(std::filesystem::status(scratch / "run.csv").permissions(), std::filesystem::perms(0640));
+  EXPECT_EQ(std::filesystem::status(scratch.path("run.csv")).permissions(), std::filesystem::perms(0640));
 }
 
 TEST(AtomicFile, PlacesThatCannotBeWrittenAreToldWithTheReason) {
-  const Scratch scratch;
-  const std::string inNoFolder = (scratch / "missing/run.csv").string();
+  const TestFolder scratch;
+  const std::string inNoFolder = scratch.path("missing/run.csv");
   EXPECT_EQ(failureOf([&] { AtomicFile file(inNoFolder); }),
             inNoFolder + ": cannot be written: No such file or directory; its folder must exist and be writable");
-  put(scratch / "file", "");
-  const std::string inAFile = (scratch / "file/run.csv").string();
+  scratch.file("file", "");
+  const std::string inAFile = scratch.path("file/run.csv");
   EXPECT_EQ(failureOf([&] { AtomicFile file(inAFile); }),
             inAFile + ": cannot be written: Not a directory; its folder must exist and be writable");
-  std::filesystem::create_directory(scratch / "folder.csv");
-  const std::string folder = (scratch / "folder.csv").string();
+  std::filesystem::create_directory(scratch.path("folder.csv"));
+  const std::string folder = scratch.path("folder.csv");
   EXPECT_EQ(failureOf([&] { AtomicFile file(folder); }),
             folder + ": cannot be written: Is a directory; name a file in it");
   EXPECT_EQ(failureOf([] { AtomicFile file("/dev/full"); }),
             "/dev/full: cannot be written: it is a device or pipe; name a regular file");
-  const std::string tooLong = (scratch / (std::string(300, 'x') + ".csv")).string();
+  const std::string tooLong = scratch.path(std::string(300, 'x') + ".csv");
   EXPECT_EQ(failureOf([&] { AtomicFile file(tooLong); }),
             tooLong + ": cannot be written: File name too long; its folder must exist and be writable");
 }
@@ -124,9 +124,9 @@ int inAChild(const std::function<void()>& write) {
 // A limit on the size of files stands for a disk that fills while the file is being written.
 TEST(AtomicFile, ADiskThatFillsKeepsTheOldFileAndLeavesNoHalfOne) {
   for (const std::string name : {"run.csv", "run.h5"}) {
-    const Scratch scratch;
-    put(scratch / name, "old");
-    const std::string path = (scratch / name).string();
+    const TestFolder scratch;
+    scratch.file(name, "old");
+    const std::string path = scratch.path(name);
     const std::string expected =
         path + ": cannot be written: File too large; the file that stood there before is unchanged";
     const int status = inAChild([&] {
@@ -137,42 +137,43 @@ TEST(AtomicFile, ADiskThatFillsKeepsTheOldFileAndLeavesNoHalfOne) {
       ::_exit(failure == expected ? 7 : 2);
     });
     EXPECT_EQ(status, 7) << name << ": 1 no limit could be set, 2 another message, 0 it was written";
-    EXPECT_EQ(contentOf(path), "old");
+    EXPECT_EQ(textOf(path), "old");
     EXPECT_EQ(scratch.entries(), 1u);
   }
 }
 
 // Root may write anywhere: the child gives its rights up first where it has them.
 TEST(AtomicFile, AFileOrFolderWithoutPermissionIsLeftAlone) {
-  const Scratch scratch;
-  const std::filesystem::path folder = scratch / "locked";
+  const TestFolder scratch;
+  const std::filesystem::path folder = scratch.path("locked");
   std::filesystem::create_directory(folder);
-  put(folder / "old.csv", "old");
-  put(scratch / "readonly.csv", "old");
+  scratch.file("locked/old.csv", "old");
+  scratch.file("readonly.csv", "old");
   using std::filesystem::perms;
-  std::filesystem::permissions(scratch / "readonly.csv", perms(0444));
+  std::filesystem::permissions(scratch.path("readonly.csv"), perms(0444));
   std::filesystem::permissions(folder, perms(0555));
-  std::filesystem::permissions(scratch / "", perms(0777));
+  std::filesystem::permissions(scratch.path(""), perms(0777));
   const int status = inAChild([&] {
     constexpr uid_t kNobody = 65534;
     if (::geteuid() == 0 && ::setuid(kNobody) != 0) ::_exit(1);
     const auto ends = [](const std::string& text, const char* end) { return text.find(end) != std::string::npos; };
     if (!ends(failureOf([&] { AtomicFile file(folder / "old.csv"); }), "Permission denied")) ::_exit(2);
-    if (!ends(failureOf([&] { AtomicFile file(scratch / "readonly.csv"); }), "cannot be replaced: Permission denied")) {
+    if (!ends(failureOf([&] { AtomicFile file(scratch.path("readonly.csv")); }),
+              "cannot be replaced: Permission denied")) {
       ::_exit(3);
     }
     ::_exit(7);
   });
   std::filesystem::permissions(folder, perms(0755));
   EXPECT_EQ(status, 7) << "1 rights could not be dropped, 2 the folder, 3 the file";
-  EXPECT_EQ(contentOf(folder / "old.csv"), "old");
+  EXPECT_EQ(textOf(folder / "old.csv"), "old");
 }
 
 // A child writes version after version over the same name and is killed at a random moment, wherever that falls:
 // composing, writing, flushing, renaming. What stands there must be one whole version.
 void killWhileWriting(const std::string& name, const std::function<TimeHistory(const std::string&)>& read) {
-  const Scratch scratch;
-  const std::string path = (scratch / name).string();
+  const TestFolder scratch;
+  const std::string path = scratch.path(name);
   constexpr int kSamples = 20000;
   writeHistory(path, {numberedHistory(0, kSamples), {}, {}});
   std::mt19937 random(7);

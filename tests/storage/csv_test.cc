@@ -9,21 +9,21 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/storage/scratch.h"
+#include "tests/storage/histories.h"
+#include "tests/support/test_folder.h"
 
 namespace vehicle {
 namespace {
 
 using test::awkwardHistory;
-using test::contentOf;
-using test::put;
-using test::Scratch;
+using test::TestFolder;
+using test::textOf;
 
 std::string problemsOf(const std::string& text) {
-  const Scratch scratch;
-  put(scratch / "run.csv", text);
-  std::string lines = readCsv(scratch / "run.csv").problems.text();
-  const std::string folder = (scratch / "").string();
+  const TestFolder scratch;
+  scratch.file("run.csv", text);
+  std::string lines = readCsv(scratch.path("run.csv")).problems.text();
+  const std::string folder = scratch.path("");
   for (std::size_t at = lines.find(folder); at != std::string::npos; at = lines.find(folder)) {
     lines.erase(at, folder.size());
   }
@@ -31,24 +31,24 @@ std::string problemsOf(const std::string& text) {
 }
 
 TEST(Csv, HeaderNamesColumnsAndUnitsAndNumbersAreTheShortestText) {
-  const Scratch scratch;
+  const TestFolder scratch;
   TimeHistory history({{"carbody.z", "m"}, {"primary_1.force", "N"}});
   history.append(0.0)[1] = 0.1;
   const auto row = history.append(0.005);
   row[1] = -1.0 / 3.0;
   row[2] = 1e22;
-  writeCsv(history, scratch / "run.csv");
-  EXPECT_EQ(contentOf(scratch / "run.csv"),
+  writeCsv(history, scratch.path("run.csv"));
+  EXPECT_EQ(textOf(scratch.path("run.csv")),
             "time [s],carbody.z [m],primary_1.force [N]\n"
             "0,0.1,0\n"
             "0.005,-0.3333333333333333,1e+22\n");
 }
 
 TEST(Csv, EveryNumberReadsBackToTheSameBits) {
-  const Scratch scratch;
+  const TestFolder scratch;
   const TimeHistory history = awkwardHistory();
-  writeCsv(history, scratch / "run.csv");
-  const TimeHistory back = readCsv(scratch / "run.csv").orThrow();
+  writeCsv(history, scratch.path("run.csv"));
+  const TimeHistory back = readCsv(scratch.path("run.csv")).orThrow();
   EXPECT_EQ(back.columns(), history.columns());
   ASSERT_EQ(back.samples(), history.samples());
   for (std::size_t i = 0; i < history.samples(); ++i) {
@@ -60,36 +60,36 @@ TEST(Csv, EveryNumberReadsBackToTheSameBits) {
 }
 
 TEST(Csv, HistoryWithoutSamplesKeepsItsColumns) {
-  const Scratch scratch;
+  const TestFolder scratch;
   const TimeHistory history(std::vector<Channel>{{"carbody.z", "m"}});
-  writeCsv(history, scratch / "run.csv");
-  const TimeHistory back = readCsv(scratch / "run.csv").orThrow();
+  writeCsv(history, scratch.path("run.csv"));
+  const TimeHistory back = readCsv(scratch.path("run.csv")).orThrow();
   EXPECT_EQ(back.columns(), history.columns());
   EXPECT_EQ(back.samples(), 0u);
 }
 
 TEST(Csv, FilesEditedElsewhereAreRead) {  // byte-order mark, CR LF, no end of the last line
-  const Scratch scratch;
-  put(scratch / "run.csv", "\xEF\xBB\xBFtime [s],carbody.z [m]\r\n0,1e-3\r\n0.005,-2.5");
-  const TimeHistory history = readCsv(scratch / "run.csv").orThrow();
+  const TestFolder scratch;
+  scratch.file("run.csv", "\xEF\xBB\xBFtime [s],carbody.z [m]\r\n0,1e-3\r\n0.005,-2.5");
+  const TimeHistory history = readCsv(scratch.path("run.csv")).orThrow();
   ASSERT_EQ(history.samples(), 2u);
   EXPECT_EQ(history.at(0, 1), 1e-3);
   EXPECT_EQ(history.at(1, 1), -2.5);
 }
 
 TEST(Csv, ValueThatIsNotFiniteIsNeverWritten) {
-  const Scratch scratch;
+  const TestFolder scratch;
   TimeHistory history(std::vector<Channel>{{"carbody.z", "m"}});
   history.append(0.0);
   history.append(0.25)[1] = std::numeric_limits<double>::quiet_NaN();
   try {
-    writeCsv(history, scratch / "run.csv");
+    writeCsv(history, scratch.path("run.csv"));
     FAIL() << "wrote nan";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "history: column \"carbody.z\" is nan at time 0.25 s, must be finite");
   }
   EXPECT_EQ(scratch.entries(), 0u);
-  EXPECT_THROW(writeCsv(TimeHistory(), scratch / "run.csv"), std::invalid_argument);
+  EXPECT_THROW(writeCsv(TimeHistory(), scratch.path("run.csv")), std::invalid_argument);
 }
 
 TEST(CsvReader, WrongHeadersAreNamed) {
@@ -118,16 +118,16 @@ TEST(CsvReader, EveryWrongRowIsNamedWithItsLine) {
 TEST(CsvReader, AFileOfWrongRowsEndsAfterTwentyProblems) {
   std::string text = "time [s]\n";
   for (int i = 0; i < 10000; ++i) text += "x\n";
-  const Scratch scratch;
-  put(scratch / "run.csv", text);
-  EXPECT_EQ(readCsv(scratch / "run.csv").problems.size(), 20u);
+  const TestFolder scratch;
+  scratch.file("run.csv", text);
+  EXPECT_EQ(readCsv(scratch.path("run.csv")).problems.size(), 20u);
 }
 
 TEST(CsvReader, MissingFileAndFolderAreToldWithTheSystemsReason) {
-  const Scratch scratch;
-  const std::string missing = (scratch / "missing.csv").string();
+  const TestFolder scratch;
+  const std::string missing = scratch.path("missing.csv");
   EXPECT_EQ(readCsv(missing).problems.text(), missing + ": error: cannot be read: No such file or directory\n");
-  const std::string folder = (scratch / "").string();
+  const std::string folder = scratch.path("");
   EXPECT_EQ(readCsv(folder).problems.text(), folder + ": error: cannot be read: Is a directory\n");
 }
 

@@ -12,15 +12,15 @@
 
 #include "libvehicle/storage/csv.h"
 #include "libvehicle/storage/history_file.h"
-#include "tests/storage/scratch.h"
+#include "tests/storage/histories.h"
+#include "tests/support/test_folder.h"
 
 namespace vehicle {
 namespace {
 
 using test::awkwardHistory;
-using test::contentOf;
-using test::put;
-using test::Scratch;
+using test::TestFolder;
+using test::textOf;
 
 RunRecord exampleRecord() {
   return {.history = awkwardHistory(),
@@ -29,9 +29,9 @@ RunRecord exampleRecord() {
 }
 
 std::string messageOf(const RunRecord& record) {
-  const Scratch scratch;
+  const TestFolder scratch;
   try {
-    writeHdf5(record, scratch / "run.h5");
+    writeHdf5(record, scratch.path("run.h5"));
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(scratch.entries(), 0u);
     return error.what();
@@ -40,10 +40,10 @@ std::string messageOf(const RunRecord& record) {
 }
 
 TEST(Hdf5, ARecordReadsBackToTheSameBits) {
-  const Scratch scratch;
+  const TestFolder scratch;
   const RunRecord record = exampleRecord();
-  writeHdf5(record, scratch / "run.h5");
-  const RunRecord back = readHdf5(scratch / "run.h5").orThrow();
+  writeHdf5(record, scratch.path("run.h5"));
+  const RunRecord back = readHdf5(scratch.path("run.h5")).orThrow();
   EXPECT_EQ(back.attributes, record.attributes);
   EXPECT_EQ(back.inputs, record.inputs);
   EXPECT_EQ(back.history.columns(), record.history.columns());
@@ -58,21 +58,21 @@ TEST(Hdf5, ARecordReadsBackToTheSameBits) {
 }
 
 TEST(Hdf5, ColumnsKeepTheirOrderBeyondAnyAlphabet) {
-  const Scratch scratch;
+  const TestFolder scratch;
   std::vector<Channel> channels;
   for (int i = 40; i > 0; --i) channels.push_back({"column_" + std::to_string(i), "m"});
   const RunRecord record{TimeHistory(channels), {}, {}};
-  writeHdf5(record, scratch / "run.h5");
-  EXPECT_EQ(readHdf5(scratch / "run.h5").orThrow().history.columns(), record.history.columns());
+  writeHdf5(record, scratch.path("run.h5"));
+  EXPECT_EQ(readHdf5(scratch.path("run.h5")).orThrow().history.columns(), record.history.columns());
 }
 
 TEST(Hdf5, TheSameRecordGivesTheSameBytes) {
-  const Scratch scratch;
-  writeHdf5(exampleRecord(), scratch / "a.h5");
+  const TestFolder scratch;
+  writeHdf5(exampleRecord(), scratch.path("a.h5"));
   // HDF5 stores times in whole seconds: only a later second would show one.
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
-  writeHdf5(exampleRecord(), scratch / "b.h5");
-  EXPECT_EQ(contentOf(scratch / "a.h5"), contentOf(scratch / "b.h5"));
+  writeHdf5(exampleRecord(), scratch.path("b.h5"));
+  EXPECT_EQ(textOf(scratch.path("a.h5")), textOf(scratch.path("b.h5")));
 }
 
 TEST(Hdf5, WhatItCannotHoldIsRefusedByName) {
@@ -91,25 +91,25 @@ TEST(Hdf5, WhatItCannotHoldIsRefusedByName) {
 }
 
 TEST(Hdf5Reader, OtherFilesAreToldApartAndNothingIsPrinted) {
-  const Scratch scratch;
-  const std::string path = (scratch / "run.h5").string();
+  const TestFolder scratch;
+  const std::string path = scratch.path("run.h5");
   ::testing::internal::CaptureStderr();
-  put(path, "time [s]\n0\n");
+  scratch.file("run.h5", "time [s]\n0\n");
   EXPECT_EQ(readHdf5(path).problems.text(), path + ": error: is no HDF5 file\n");
-  EXPECT_EQ(readHdf5(scratch / "missing.h5").problems.text(),
-            (scratch / "missing.h5").string() + ": error: cannot be read: No such file or directory\n");
+  EXPECT_EQ(readHdf5(scratch.path("missing.h5")).problems.text(),
+            scratch.path("missing.h5") + ": error: cannot be read: No such file or directory\n");
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 // A copy that was cut short anywhere: a problem, never a crash, a hang or a print.
 TEST(Hdf5Reader, FilesCutShortEndInAProblem) {
-  const Scratch scratch;
-  writeHdf5(exampleRecord(), scratch / "whole.h5");
-  const std::string whole = contentOf(scratch / "whole.h5");
+  const TestFolder scratch;
+  writeHdf5(exampleRecord(), scratch.path("whole.h5"));
+  const std::string whole = textOf(scratch.path("whole.h5"));
   ::testing::internal::CaptureStderr();
   for (std::size_t length = 8; length < whole.size(); length += whole.size() / 50) {
-    put(scratch / "cut.h5", whole.substr(0, length));
-    const auto outcome = readHdf5(scratch / "cut.h5");
+    scratch.file("cut.h5", whole.substr(0, length));
+    const auto outcome = readHdf5(scratch.path("cut.h5"));
     EXPECT_FALSE(outcome.ok()) << "cut at " << length;
     EXPECT_FALSE(outcome.problems.empty()) << "cut at " << length;
   }
@@ -117,12 +117,12 @@ TEST(Hdf5Reader, FilesCutShortEndInAProblem) {
 }
 
 TEST(HistoryFile, TheExtensionChoosesTheFormat) {
-  const Scratch scratch;
+  const TestFolder scratch;
   const RunRecord record = exampleRecord();
-  writeHistory(scratch / "run.csv", record);
-  writeHistory(scratch / "run.h5", record);
-  EXPECT_EQ(readCsv(scratch / "run.csv").orThrow().columns(), record.history.columns());
-  EXPECT_EQ(readHdf5(scratch / "run.h5").orThrow().inputs, record.inputs);
+  writeHistory(scratch.path("run.csv"), record);
+  writeHistory(scratch.path("run.h5"), record);
+  EXPECT_EQ(readCsv(scratch.path("run.csv")).orThrow().columns(), record.history.columns());
+  EXPECT_EQ(readHdf5(scratch.path("run.h5")).orThrow().inputs, record.inputs);
 }
 
 TEST(HistoryFile, AnyOtherExtensionIsRefusedNamingBoth) {

@@ -4,19 +4,20 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/storage/hdf5.h"
-#include "tests/storage/scratch.h"
+#include "tests/storage/histories.h"
+#include "tests/support/test_folder.h"
 
 namespace vehicle {
 namespace {
 
 using test::numberedHistory;
-using test::Scratch;
+using test::TestFolder;
 
 TEST(Hdf5, ThreadsTakeTurns) {
-  const Scratch scratch;
+  const TestFolder scratch;
   const auto work = [&scratch](int number) {
     for (int i = 0; i < 20; ++i) {
-      const auto path = scratch / (std::to_string(number) + ".h5");
+      const auto path = scratch.path(std::to_string(number) + ".h5");
       writeHdf5({numberedHistory(number, 100), {}, {}}, path);
       EXPECT_EQ(readHdf5(path).orThrow().history.at(99, 1), number);
     }

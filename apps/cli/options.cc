@@ -14,14 +14,6 @@
 namespace vehicle::cli {
 namespace {
 
-std::string unknown(const std::string& what, const std::string& word, const std::vector<std::string>& candidates) {
-  const std::optional<std::string> nearest = nearestName(word, candidates);
-  std::string all;
-  for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
-  return fmt::format("{}\"{}\" is unknown; {}", what, word,
-                     nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "choose one of " + all);
-}
-
 std::vector<std::string> optionNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -117,7 +109,7 @@ void addRunSettings(CLI::App& command, RunChoice& choice) {
 CLI::Validator oneOf(const std::vector<std::string>& names) {
   return CLI::Validator(
       [names](std::string& word) {
-        return std::find(names.begin(), names.end(), word) != names.end() ? std::string() : unknown("", word, names);
+        return std::find(names.begin(), names.end(), word) != names.end() ? std::string() : unknownName("", word, names);
       },
       "");
 }
@@ -158,11 +150,11 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
   }
   for (const std::string& word : unread) {
     if (word.size() > 1 && word.front() == '-') {
-      return fmt::format("{}: {}", name, unknown("option ", word.substr(0, word.find('=')), optionNames(app)));
+      return fmt::format("{}: {}", name, unknownName("option", word.substr(0, word.find('=')), optionNames(app)));
     }
   }
   if (chosen.empty() && !unread.empty())
-    return fmt::format("{}: {}", name, unknown("command ", unread.front(), commandNames(program)));
+    return fmt::format("{}: {}", name, unknownName("command", unread.front(), commandNames(program)));
   if (chosen.empty()) return fmt::format("{}: a command is missing; see vehicle --help", name);
   if (!unread.empty())
     return fmt::format("{}: \"{}\" is one argument too many; see {} --help", name, unread.front(), name);

@@ -70,7 +70,7 @@ std::optional<std::string> nearestName(const std::string& word, const std::vecto
 }
 
 std::string unknownName(const std::string& kind, const std::string& word, const std::vector<std::string>& candidates) {
-  std::string text = kind + " \"" + word + "\" is unknown; ";
+  std::string text = (kind.empty() ? "\"" : kind + " \"") + word + "\" is unknown; ";
   if (const std::optional<std::string> nearest = nearestName(word, candidates)) return text + "did you mean \"" + *nearest + "\"?";
   text += "choose one of ";
   for (const std::string& candidate : candidates) text += candidate + (&candidate == &candidates.back() ? "" : ", ");

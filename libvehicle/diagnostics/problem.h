@@ -82,7 +82,7 @@ struct Outcome {
 [[nodiscard]] std::optional<std::string> nearestName(const std::string& word, const std::vector<std::string>& candidates);
 
 /// What to say of a name that is none of the candidates:  KIND "WORD" is unknown; did you mean "NEAREST"?  -- or, where
-/// none is near,  ...; choose one of A, B, C
+/// none is near,  ...; choose one of A, B, C.  An empty kind is left out.
 [[nodiscard]] std::string unknownName(const std::string& kind, const std::string& word,
                                       const std::vector<std::string>& candidates);
 

@@ -80,9 +80,7 @@ bool isPrintedVariant(const std::string& form) { return entryOf(form).family == 
 std::string defaultForm(const Vehicle& vehicle) { return formMisfits("flat", vehicle).empty() ? "flat" : "matrix"; }
 
 std::unique_ptr<System> buildForm(const std::string& form, const Vehicle& vehicle, double gravity) {
-  const FormEntry& entry = entryOf(form);
-  if (ProblemList misfits = entry.misfits(vehicle); !misfits.empty()) throw InvalidInput(std::move(misfits));
-  return entry.build(vehicle, gravity);
+  return entryOf(form).build(vehicle, gravity);  // each builder throws its own misfits
 }
 
 }  // namespace vehicle

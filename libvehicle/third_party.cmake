@@ -13,6 +13,18 @@ if(NOT TARGET vehicle_hdf5)
   endif()
 endif()
 
+# hwloc (where cores and caches are) comes with a pkg-config file only.
+if(NOT TARGET vehicle_hwloc)
+  find_path(VEHICLE_HWLOC_INCLUDE_DIR hwloc.h)
+  find_library(VEHICLE_HWLOC_LIBRARY hwloc)
+  mark_as_advanced(VEHICLE_HWLOC_INCLUDE_DIR VEHICLE_HWLOC_LIBRARY)
+  if(VEHICLE_HWLOC_INCLUDE_DIR AND VEHICLE_HWLOC_LIBRARY)
+    add_library(vehicle_hwloc INTERFACE IMPORTED GLOBAL)
+    target_include_directories(vehicle_hwloc SYSTEM INTERFACE ${VEHICLE_HWLOC_INCLUDE_DIR})
+    target_link_libraries(vehicle_hwloc INTERFACE ${VEHICLE_HWLOC_LIBRARY})
+  endif()
+endif()
+
 # find_package(Simbody) names its targets without a namespace and gives them no include folder.
 if(NOT TARGET vehicle_simbody AND Simbody_FOUND)
   add_library(vehicle_simbody INTERFACE IMPORTED GLOBAL)

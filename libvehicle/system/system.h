@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "libvehicle/system/equation_set.h"
 #include "libvehicle/units/channel.h"
 
 namespace vehicle {
@@ -38,6 +39,9 @@ class System {
 
   /// The matrices of a linear, time-invariant system; nothing for a nonlinear one.
   [[nodiscard]] virtual std::optional<StateSpace> linear() const { return std::nullopt; }
+
+  /// f(x, u) cut into equations that threads may share; nullptr where it cannot be cut. It lives as long as the system.
+  [[nodiscard]] virtual const EquationSet* equations() const { return nullptr; }
 };
 
 /// A and B of any system about (x0, u0) by central differences, one column a perturbation.

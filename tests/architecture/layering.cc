@@ -25,6 +25,7 @@ constexpr Header kHeaders[] = {
     {"simbody/", "vehicle_simbody"},
     {"simmath/", "vehicle_simbody"},
     {"hdf5.h", "vehicle_hdf5"},
+    {"hwloc.h", "vehicle_hwloc"},
     {"H5", "vehicle_hdf5"},
     {"tinyxml2.h", "tinyxml2::tinyxml2"},
     {"fmt/", "fmt::fmt"},

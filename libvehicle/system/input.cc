@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "libvehicle/system/oscillator.h"
+
 namespace vehicle {
 namespace {
 
@@ -74,21 +76,6 @@ inline void setPolynomialRow(const double* __restrict e, double s, int width, do
   const int n = kWidth > 0 ? kWidth : width;
   for (int k = 0; k < n; ++k) u[k] = e[k] + s * (e[n + k] + s * (e[2 * n + k] + s * e[3 * n + k]));
 }
-
-// Sine and cosine of w s, stepped by the angle w dt.
-struct Oscillator {
-  double cosine, sine, turn_cosine, turn_sine;
-  Oscillator(double omega, double s, double dt)
-      : cosine(std::cos(omega * s)),
-        sine(std::sin(omega * s)),
-        turn_cosine(std::cos(omega * dt)),
-        turn_sine(std::sin(omega * dt)) {}
-  void turn() {
-    const double turned = cosine * turn_cosine - sine * turn_sine;
-    sine = sine * turn_cosine + cosine * turn_sine;
-    cosine = turned;
-  }
-};
 
 template <int kWidth>
 inline void sweepOne(const double* __restrict p, Oscillator f, int count, int width, double* __restrict u) {
@@ -230,13 +217,17 @@ void Input::sweepRows(const InputSegment& segment, Rows rows, double t0, double 
   }
 }
 
-void Input::sweep(int segment, double t0, double dt, int first, int count, std::span<double> u) const {
-  assert(segment >= 0 && segment < segments());
+void Input::requireSweep(int first, int count) {
   if (first < 0 || first % kBlock != 0 || count < 0) {
     throw std::invalid_argument("Input: sweep from sample " + std::to_string(first) + " over " +
                                 std::to_string(count) + ", must start at a multiple of " + std::to_string(kBlock) +
                                 " and not go backwards");
   }
+}
+
+void Input::sweep(int segment, double t0, double dt, int first, int count, std::span<double> u) const {
+  assert(segment >= 0 && segment < segments());
+  requireSweep(first, count);
   const std::size_t expected = static_cast<std::size_t>(count) * 2 * static_cast<std::size_t>(channels_);
   if (u.size() != expected) {
     throw std::invalid_argument("Input: sweep into " + std::to_string(u.size()) + " values, must be " +

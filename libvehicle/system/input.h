@@ -23,6 +23,15 @@ struct InputSegment {
   std::vector<double> polynomial;         // [m, m/s, m/s^2, m/s^3] (channels x 4), row-major
 };
 
+/// What all channels of a sweep share: the clock and the sine and cosine of every frequency at its samples. Small even
+/// for a long train, whose rows of 2 w values a sample would not fit in a cache.
+struct SweepClock {
+  int segment = 0;
+  int count = 0;
+  std::vector<double> time;    // [s] t - begin, shape (count)
+  std::vector<double> circle;  // cos(w_f s), sin(w_f s), shape (count x 2 F), row-major
+};
+
 /// The input u(t) of a system over a whole run, cut at its kinks.
 ///
 /// u = (eta_1..eta_w, eta_1'..eta_w') [m, m/s]; where accelerations are asked for, eta_1''..eta_w'' [m/s^2]
@@ -57,6 +66,19 @@ class Input {
   }
   static constexpr int kBlock = 64;
 
+  /// sweep() in two halves, for who wants some channels at a time: the clock of its samples once, then rows from it.
+  /// Allocates only where `clock` is smaller than ever before.
+  /// @param first, count  as for sweep()
+  void wind(int segment, double t0, double dt, int first, int count, SweepClock& clock) const;
+  /// Heights of the channels from .. to-1, then their rates, at one sample of the clock: the bits that sweep() gives,
+  /// however the channels are cut. Never allocates, never throws.
+  /// @param sample  0 <= sample < clock.count   @param u  (2 (to - from))
+  void readRow(const SweepClock& clock, int sample, int from, int to, double* u) const;
+
+  /// The same input with its channels in another order: channel i of the result is channel order[i] of this one.
+  /// @throws std::invalid_argument unless order names every channel once
+  [[nodiscard]] Input inOrder(std::span<const int> order) const;
+
   /// Bound of |sweep - evaluate| for one channel [m]; for its rate multiply each term by its frequency.
   ///     sum_f hypot(cosine, sine) (4 kBlock + 8 w_f T) 2^-53,     T = largest |t|, |t - begin|, count dt of the sweep
   /// 4 kBlock: a rotation rounds and its own coefficients are rounded. 8 w_f T: both sides round the time and the
@@ -78,6 +100,8 @@ class Input {
   template <int kWidth>
   void sweepRows(const InputSegment& segment, Rows rows, double t0, double dt, int first, int count, double* u) const;
   void packRows(const InputSegment& segment);
+  /// @throws std::invalid_argument unless a sweep may start and go on so
+  static void requireSweep(int first, int count);
 
   int channels_;
   std::vector<InputSegment> segments_;

@@ -1,8 +1,6 @@
 #include "libvehicle/simulate/flat_by_type.h"
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "libvehicle/integrate/adaptive_run.h"
 #include "libvehicle/integrate/dopri5.h"
@@ -13,28 +11,6 @@
 namespace vehicle {
 
 namespace {
-
-// Channel i of the result is channel order[i] of the input.
-Input reordered(const Input& input, const std::array<int, 4>& order) {
-  std::vector<InputSegment> segments;
-  segments.reserve(static_cast<std::size_t>(input.segments()));
-  for (int index = 0; index < input.segments(); ++index) {
-    const InputSegment& from = input.segment(index);
-    InputSegment to = from;
-    const auto copyRow = [&](const std::vector<double>& source, std::vector<double>& target, std::size_t channel) {
-      const std::size_t width = source.size() / order.size();
-      std::copy_n(source.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(order[channel]) * width), width,
-                  target.begin() + static_cast<std::ptrdiff_t>(channel * width));
-    };
-    for (std::size_t channel = 0; channel < order.size(); ++channel) {
-      copyRow(from.cosine, to.cosine, channel);
-      copyRow(from.sine, to.sine, channel);
-      copyRow(from.polynomial, to.polynomial, channel);
-    }
-    segments.push_back(std::move(to));
-  }
-  return Input(input.channels(), std::move(segments));
-}
 
 // Runs in the form's inner order, shows in the vehicle's.
 // @param run  callable as run(input, x0, observer), all in inner order
@@ -49,7 +25,7 @@ Statistics runInInnerOrder(const FlatForm& form, const Input& input, std::span<c
     for (std::size_t i = 0; i < outer.size(); ++i) outer[static_cast<std::size_t>(order[i])] = x[i];
     return observe(sample, segment, t, outer);
   };
-  return run(reordered(input, form.wheelOrder()), inner, observeInVehicleOrder);
+  return run(input.inOrder(form.wheelOrder()), inner, observeInVehicleOrder);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 // Equations (2)-(5) of the source paper in their consistent reading, one function an equation; as they are generalised
-// here they are (3.1)-(3.3) of docs/theory/vertical.md.
+// here they are (3.1)-(3.3) of docs/theory/vertical.md, and the couplings of a train are its (8.1)-(8.3).
 //
 // 1. T is a number: `double` in the flat form, a SIMD pack with one design per lane in an ensemble. So there is
 //    no std, no Eigen and no branch here, and everything is forced inline: the kernel files of an ensemble are
@@ -79,6 +79,39 @@ template <class T>
          ((p.bk2 * (s.dzk - s.dz2 - p.lr * s.dphi) + p.ck2 * (s.zk - s.z2 - p.lr * s.phi)) -
           (p.bb34 * s.dz2 + p.cb34 * s.z2) +
           (p.bb3 * rail.deta3 + p.bb4 * rail.deta4 + p.cb3 * rail.eta3 + p.cb4 * rail.eta4));  // (5)
+}
+
+/// One coupling between the carbodies of two neighbours in a train.
+template <class T>
+struct FlatCouplingCoefficients {
+  T c, b;         // [N/m, N s/m]
+  T arm_ahead;    // [m] its end behind the CG of the carbody ahead
+  T arm_behind;   // [m] its end ahead of the CG of the carbody behind
+};
+
+/// Force of a coupling [N], positive in elongation: it pulls the carbody ahead down and the one behind up.
+///     F = c d + b d',  d = (zk - arm_ahead phi) ahead - (zk + arm_behind phi) behind    docs/theory/vertical.md (8.1)
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T couplingForce(const FlatCouplingCoefficients<T>& q,
+                                                         const FlatState<T>& ahead, const FlatState<T>& behind) {
+  return q.b * ((ahead.dzk - q.arm_ahead * ahead.dphi) - (behind.dzk + q.arm_behind * behind.dphi)) +
+         q.c * ((ahead.zk - q.arm_ahead * ahead.phi) - (behind.zk + q.arm_behind * behind.phi));  // (8.1)
+}
+
+/// (2) in a train: bounce of a carbody [m/s^2] between the forces of the couplings at its ends; 0 where there is none.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T carbodyBounceInTrain(const FlatCoefficients<T>& p, const FlatState<T>& s,
+                                                                T force_at_front, T force_at_rear) {
+  return carbodyBounce(p, s) + p.inv_mk * (force_at_front - force_at_rear);  // (8.2)
+}
+
+/// (3) in a train: pitch of a carbody [rad/s^2].
+/// @param front_arm, rear_arm  [m] from its CG forward to the front coupling, back to the rear one
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T carbodyPitchInTrain(const FlatCoefficients<T>& p, const FlatState<T>& s,
+                                                               T force_at_front, T front_arm, T force_at_rear,
+                                                               T rear_arm) {
+  return carbodyPitch(p, s) + p.inv_Jk * (front_arm * force_at_front + rear_arm * force_at_rear);  // (8.3)
 }
 
 }  // namespace vehicle

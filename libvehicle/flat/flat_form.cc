@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libvehicle/flat/first_order.h"
+#include "libvehicle/flat/flat_equation_set.h"
 #include "libvehicle/flat/flat_layout.h"
 #include "libvehicle/flat/flat_statics.h"
 #include "libvehicle/flat/printed_variants.h"
@@ -59,6 +61,14 @@ class PaperForm final : public FlatForm {
       wheel_order_[i] = layout.wheelset[i];
       wheelset_mass_[i] = topology.wheelsets[at(layout.wheelset[i])].mass;
     }
+    if (variant_ == FlatVariant::kConsistent) {
+      std::vector<int> cut_order;
+      for (std::size_t i = 0; i < 4; ++i) cut_order.insert(cut_order.end(), {state_order_[i], state_order_[i + 4]});
+      const FlatBodyNames names = {carbody.name, topology.bodies[at(layout.bogie[0])].name,
+                                   topology.bodies[at(layout.bogie[1])].name};
+      equations_.emplace(std::vector{parameters_}, std::vector<FlatCoupling>{}, std::vector{names},
+                         std::move(cut_order), std::vector<int>(wheel_order_.begin(), wheel_order_.end()));
+    }
     columns_.carbody = column(carbody.name + ".z");
     for (std::size_t i = 0; i < 2; ++i) {
       columns_.bogie[i] = column(topology.bodies[at(layout.bogie[i])].name + ".z");
@@ -83,6 +93,7 @@ class PaperForm final : public FlatForm {
   const FlatRhs* rhs() const override { return variant_ == FlatVariant::kConsistent ? &rhs_ : nullptr; }
   const std::array<int, 8>& stateOrder() const override { return state_order_; }
   const std::array<int, 4>& wheelOrder() const override { return wheel_order_; }
+  const EquationSet* equations() const override { return equations_ ? &*equations_ : nullptr; }
 
   void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {
     const Inner inner = innerDerivative(x, u);
@@ -207,6 +218,7 @@ class PaperForm final : public FlatForm {
   std::array<int, 8> state_order_{};
   std::array<int, 4> wheel_order_{};
   std::array<double, 4> wheelset_mass_{};  // [kg] in inner order
+  std::optional<FlatEquationSet> equations_;  // of the consistent variant
   Columns columns_;
   std::vector<PointPlace> points_;
 };

@@ -21,7 +21,7 @@ struct Kind {
 };
 
 // In the order of the enumerators.
-constexpr std::array<Kind, 16> kKinds = {{
+constexpr std::array<Kind, 17> kKinds = {{
     {Dimension::kNumber, {"plain number", "", "3"}, {}, {""}},
     {Dimension::kLength, {"length", "m", "3.725 m"}, {0, 1, 0, 0}, {"m", "mm"}},
     {Dimension::kTime, {"time", "s", "5 ms"}, {0, 0, 1, 0}, {"s", "ms"}},
@@ -41,6 +41,7 @@ constexpr std::array<Kind, 16> kKinds = {{
     {Dimension::kAngle, {"angle", "rad", "1.2 mrad"}, {0, 0, 0, 1}, {"rad", "mrad", "deg"}},
     {Dimension::kAngularVelocity, {"angular velocity", "rad/s", "5.03 rad/s"}, {0, 0, -1, 1}, {"rad/s", "mrad/s"}},
     {Dimension::kFrequency, {"frequency", "Hz", "1.1 Hz"}, {0, 0, -1, 0}, {"Hz"}},
+    {Dimension::kAngularAcceleration, {"angular acceleration", "rad/s^2", "0.5 rad/s^2"}, {0, 0, -2, 1}, {"rad/s^2"}},
 }};
 
 const Kind& kindOf(Dimension dimension) { return kKinds.at(static_cast<std::size_t>(dimension)); }

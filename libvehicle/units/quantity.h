@@ -24,6 +24,7 @@ enum class Dimension {
   kAngle,               // rad
   kAngularVelocity,     // rad/s
   kFrequency,           // Hz
+  kAngularAcceleration, // rad/s^2
 };
 
 /// What a dimension is called in a message ("stiffness"), its SI unit ("N/m") and an example ("30 kN/m").

@@ -20,7 +20,7 @@ using enum Dimension;
 
 const std::vector<Dimension> kAll = {kNumber,  kLength,  kTime,      kSpeed,   kAcceleration,        kMass,
                                      kInertia, kForce,   kStiffness, kDamping, kRotationalStiffness, kRotationalDamping,
-                                     kHertzConstant, kAngle, kAngularVelocity, kFrequency};
+                                     kHertzConstant, kAngle, kAngularVelocity, kFrequency, kAngularAcceleration};
 
 double si(const std::string& text, Dimension dimension) {
   const ParsedQuantity parsed = parseQuantity(text, dimension);

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libvehicle/definition/scenario.h"
+#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/units/quantity.h"
+
+namespace vehicle {
+
+/// One number of a vehicle or scenario, addressed by name: what studies vary and set.
+///
+///     primary.stiffness_z, carbody.mass, front.x          part and attribute, as in the vehicle file
+///     speed                                               of the scenario's run
+///     scenario.gravity, .duration, .distance, .output_step, .fade_in
+///     scenario.NAME.amplitude                             a named member of the track and its attribute
+/// It is bound to one arrangement of parts: good for every copy of that vehicle or scenario, whatever its numbers.
+template <class Owner>
+struct ParameterOf {
+  std::string address;
+  Dimension dimension = Dimension::kNumber;
+  std::size_t index = 0;  // of the part among those of its kind
+  std::optional<double> (*get)(const Owner& owner, std::size_t index) = nullptr;
+  void (*set)(Owner& owner, std::size_t index, double si) = nullptr;
+
+  /// [SI]; nothing where the file gives no value (a load, a height).
+  [[nodiscard]] std::optional<double> valueIn(const Owner& owner) const { return get(owner, index); }
+  void setIn(Owner& owner, double si) const { set(owner, index, si); }
+};
+using VehicleParameter = ParameterOf<Vehicle>;
+using ScenarioParameter = ParameterOf<Scenario>;
+
+/// Every number that can be addressed, parts in the order of the file within their kind. Quantities kept for forms to
+/// come (roll_inertia, ...) are no parameters: no result depends on them.
+[[nodiscard]] std::vector<VehicleParameter> parametersOf(const Vehicle& vehicle);
+[[nodiscard]] std::vector<ScenarioParameter> parametersOf(const Scenario& scenario);
+
+/// @returns null if there is none of that address
+template <class Owner>
+[[nodiscard]] const ParameterOf<Owner>* findParameter(const std::vector<ParameterOf<Owner>>& parameters,
+                                                      std::string_view address) {
+  for (const ParameterOf<Owner>& each : parameters) {
+    if (each.address == address) return &each;
+  }
+  return nullptr;
+}
+
+}  // namespace vehicle

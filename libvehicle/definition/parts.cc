@@ -22,11 +22,20 @@ void collect(std::vector<Part>& parts, std::string_view kind, const std::vector<
   }
 }
 
-void checkNames(const std::vector<Part>& parts, ProblemList& problems) {
+/// A part's name as its own vehicle's file has it: in a train the name of its unit stands before it.
+std::string ownName(const std::string& name, const std::set<std::string_view>& units) {
+  const std::size_t dot = name.find('.');
+  const bool in_train = dot != std::string::npos && units.contains(std::string_view(name).substr(0, dot));
+  return in_train ? name.substr(dot + 1) : name;
+}
+
+void checkNames(const Vehicle& vehicle, const std::vector<Part>& parts, ProblemList& problems) {
+  std::set<std::string_view> units;
+  for (const TrainUnit& unit : vehicle.units) units.insert(unit.name);
   std::map<std::string_view, const Part*> first;
   for (const Part& part : parts) {
     Judge judge(problems, part.path, part.name, part.place);
-    if (!judge.partName(part.name)) continue;
+    if (!judge.partName(ownName(part.name, units))) continue;
     const auto [entry, fresh] = first.try_emplace(part.name, &part);
     if (fresh) continue;
     const Part& other = *entry->second;
@@ -175,7 +184,7 @@ std::string withArticle(std::string_view kind) { return (kind.front() == 'e' ? "
 ProblemList checkTies(const Vehicle& vehicle) {
   ProblemList problems;
   const std::vector<Part> parts = partsOf(vehicle);
-  checkNames(parts, problems);
+  checkNames(vehicle, parts, problems);
   if (checkReferences(vehicle, parts, problems)) checkCarried(vehicle, problems);
   return problems;
 }

@@ -48,6 +48,11 @@ class Builder {
     return part.group.empty() ? part.x : group_x_.at(part.group) + part.x;
   }
 
+  [[nodiscard]] double lowerEnd(const Suspension& suspension) const {
+    if (!suspension.x_lower) return absolute(suspension);
+    return suspension.group.empty() ? *suspension.x_lower : group_x_.at(suspension.group) + *suspension.x_lower;
+  }
+
   [[nodiscard]] const TopologyBody& bodyAt(int place) const {
     assert(place >= 0);  // check() has found every reference
     return topology_.bodies[static_cast<std::size_t>(place)];
@@ -96,7 +101,7 @@ class Builder {
     made.lower_body = placeIn(bodies_, suspension.lower);
     if (made.lower_body >= 0) {
       const TopologyBody& lower = bodyAt(made.lower_body);
-      made.arm_lower = made.x - lower.x;
+      made.arm_lower = lowerEnd(suspension) - lower.x;
       made.height_lower = suspension.z_lower.value_or(lower.z) - lower.z;
     } else {
       made.lower_wheelset = placeIn(wheelsets_, suspension.lower);

@@ -45,9 +45,9 @@ struct TopologySuspension {
   int upper = -1;          // body
   int lower_body = -1;     // exactly one of lower_body and lower_wheelset is >= 0
   int lower_wheelset = -1;
-  double x = 0.0;          // [m] absolute
+  double x = 0.0;          // [m] absolute, of its upper end; the lower one stands there too but in a coupling
   double arm_upper = 0.0;  // [m] x - x of the upper body's centre of gravity
-  double arm_lower = 0.0;  // [m] x - x of the lower body's; 0 for a wheelset
+  double arm_lower = 0.0;  // [m] x of its lower end - x of the lower body's; 0 for a wheelset
   double height_upper = 0.0;  // [m] of its upper end above the upper body's centre of gravity; 0 without heights
   double height_lower = 0.0;  // [m] of its lower end above the lower body's (or axle); 0 without heights
   std::optional<double> preload;  // [N] compression, as given

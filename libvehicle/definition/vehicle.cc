@@ -77,6 +77,7 @@ void checkWheelset(const Wheelset& wheelset, ProblemList& problems) {
 void checkSuspension(const Suspension& suspension, ProblemList& problems) {
   Judge judge(problems, pathOf("suspension", suspension.group), suspension.name, suspension.origin);
   judge.finite("x", suspension.x, kLength);
+  judge.finite("x_lower", suspension.x_lower, kLength);
   judge.finite("z_upper", suspension.z_upper, kLength);
   judge.finite("z_lower", suspension.z_lower, kLength);
   judge.finite("y", suspension.y, kLength);

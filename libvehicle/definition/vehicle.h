@@ -68,6 +68,7 @@ struct Suspension {
   std::string upper;               // a body
   std::string lower;               // a body or a wheelset
   double x = 0.0;                  // [m]
+  std::optional<double> x_lower;   // [m] of its lower end, in the group too; else x. Couplings of a train alone have it
   std::optional<double> z_upper;   // [m] height of its upper end above rail top
   std::optional<double> z_lower;   // [m]
   std::optional<double> y;         // [m] with sides = 2: one at +y, one at -y
@@ -96,6 +97,14 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
+/// A vehicle inside a train. Its parts are called "coach_2.carbody": its name, a dot, their own.
+struct TrainUnit {
+  std::string name;   // "coach_2": unique in the train
+  std::string title;  // of its vehicle
+  double x = 0.0;     // [m] of its vehicle's origin
+  bool operator==(const TrainUnit&) const = default;
+};
+
 struct Vehicle {
   std::string name;
   std::string title;
@@ -106,6 +115,7 @@ struct Vehicle {
   std::vector<Wheelset> wheelsets;
   std::vector<Suspension> suspensions;
   std::vector<Point> points;
+  std::vector<TrainUnit> units;  // of a train (train.h), the leading one first; none: a vehicle of its own
   Origin origin;
   bool operator==(const Vehicle&) const = default;
 };

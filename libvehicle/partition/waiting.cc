@@ -43,10 +43,9 @@ Waiting waitingNamed(const std::string& name, int threads, int cores) {
   if (name == "spin") {
     if (threads > cores) {
       throw std::invalid_argument("waiting \"spin\": " + std::to_string(threads) + " threads on " +
-                                  std::to_string(cores) +
-                                  (cores == 1 ? " core" : " cores") +
+                                  std::to_string(cores) + (cores == 1 ? " core" : " cores") +
                                   " would keep each other from running; take at most " + std::to_string(cores) +
-                                  " threads, or auto | yield | sleep");
+                                  ", or auto | yield | sleep");
     }
     return {.pauses = Waiting::kForever, .yields = 0, .sleep = 0.0};
   }

@@ -59,26 +59,49 @@ template <class T>
           p.kg * s.phi);  // (3)
 }
 
+/// What the rail does to the front bogie through its two primaries [N]: the right side of (4).
+/// Apart from (4), because two stages of a Runge-Kutta step and two neighbouring steps share it.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T frontRailForce(const FlatCoefficients<T>& p, const FlatRail<T>& rail) {
+  return p.bb1 * rail.deta1 + p.bb2 * rail.deta2 + p.cb1 * rail.eta1 + p.cb2 * rail.eta2;
+}
+
+/// The same of the rear bogie [N]: the right side of (5).
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T rearRailForce(const FlatCoefficients<T>& p, const FlatRail<T>& rail) {
+  return p.bb3 * rail.deta3 + p.bb4 * rail.deta4 + p.cb3 * rail.eta3 + p.cb4 * rail.eta4;
+}
+
 /// (4) bounce of the front bogie [m/s^2]. Paper: mb z1'' - bk (zk' - z1' + ak phi') - ck (zk - z1 + ak phi)
 ///     + 2 bb z1' + 2 cb z1 = bb (eta1' + eta2') + cb (eta1 + eta2)
+/// @param rail_force  frontRailForce()
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T frontBogieBounce(const FlatCoefficients<T>& p, const FlatState<T>& s,
+                                                            const T& rail_force) {
+  return p.inv_m1 *
+         ((p.bk1 * (s.dzk - s.dz1 + p.lf * s.dphi) + p.ck1 * (s.zk - s.z1 + p.lf * s.phi)) -
+          (p.bb12 * s.dz1 + p.cb12 * s.z1) + rail_force);  // (4)
+}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T frontBogieBounce(const FlatCoefficients<T>& p, const FlatState<T>& s,
                                                             const FlatRail<T>& rail) {
-  return p.inv_m1 *
-         ((p.bk1 * (s.dzk - s.dz1 + p.lf * s.dphi) + p.ck1 * (s.zk - s.z1 + p.lf * s.phi)) -
-          (p.bb12 * s.dz1 + p.cb12 * s.z1) +
-          (p.bb1 * rail.deta1 + p.bb2 * rail.deta2 + p.cb1 * rail.eta1 + p.cb2 * rail.eta2));  // (4)
+  return frontBogieBounce(p, s, frontRailForce(p, rail));
 }
 
 /// (5) bounce of the rear bogie [m/s^2]. Paper, mended: mb z2'' - bk (zk' - z2' - ak phi') - ck (zk - z2 - ak phi)
 ///     + 2 bb z2' + 2 cb z2 = bb (eta3' + eta4') + cb (eta3 + eta4)
+/// @param rail_force  rearRailForce()
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T rearBogieBounce(const FlatCoefficients<T>& p, const FlatState<T>& s,
+                                                           const T& rail_force) {
+  return p.inv_m2 *
+         ((p.bk2 * (s.dzk - s.dz2 - p.lr * s.dphi) + p.ck2 * (s.zk - s.z2 - p.lr * s.phi)) -
+          (p.bb34 * s.dz2 + p.cb34 * s.z2) + rail_force);  // (5)
+}
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T rearBogieBounce(const FlatCoefficients<T>& p, const FlatState<T>& s,
                                                            const FlatRail<T>& rail) {
-  return p.inv_m2 *
-         ((p.bk2 * (s.dzk - s.dz2 - p.lr * s.dphi) + p.ck2 * (s.zk - s.z2 - p.lr * s.phi)) -
-          (p.bb34 * s.dz2 + p.cb34 * s.z2) +
-          (p.bb3 * rail.deta3 + p.bb4 * rail.deta4 + p.cb3 * rail.eta3 + p.cb4 * rail.eta4));  // (5)
+  return rearBogieBounce(p, s, rearRailForce(p, rail));
 }
 
 /// One coupling between the carbodies of two neighbours in a train.

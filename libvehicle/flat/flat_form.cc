@@ -1,7 +1,6 @@
 #include "libvehicle/flat/flat_form.h"
 
 #include <algorithm>
-#include <cassert>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "libvehicle/flat/first_order.h"
 #include "libvehicle/flat/flat_equation_set.h"
 #include "libvehicle/flat/flat_layout.h"
+#include "libvehicle/flat/flat_output.h"
 #include "libvehicle/flat/flat_statics.h"
 #include "libvehicle/flat/printed_variants.h"
 
@@ -24,22 +24,6 @@ PaperCoefficients<double> paperCoefficients(const FlatParameters& v) {
           .ak = v.lf, .ck = v.cs1, .bk = v.bs1, .cb = v.cp[0], .bb = v.bp[0]};
 }
 
-/// Columns of a result where each part's first number stands; the others follow as resultChannels() says.
-struct Columns {
-  int carbody = 0;
-  std::array<int, 2> bogie{};
-  std::array<int, 2> secondary{};
-  std::array<int, 4> primary{};
-  std::array<int, 4> wheelset{};
-};
-
-/// A measuring point: z + arm phi of its body.
-struct PointPlace {
-  int column = 0;
-  int inner = 0;     // inner coordinate of the body's z: 0 carbody, 2 front, 3 rear bogie
-  double arm = 0.0;  // [m] 0 on a bogie, which does not pitch
-};
-
 class PaperForm final : public FlatForm {
  public:
   PaperForm(const Topology& topology, const FlatLayout& layout, double gravity, FlatVariant variant)
@@ -50,7 +34,8 @@ class PaperForm final : public FlatForm {
         paper_(paperCoefficients(parameters_)),
         seven_(equation7(lettersOf(parameters_, Mapping::kPrinted))),
         states_(stateChannels(topology)),
-        outputs_(resultChannels(topology)) {
+        outputs_(resultChannels(topology)),
+        output_(topology, resultPlacesOf(topology), layout, parameters_, loads_) {
     const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
     const std::array<int, 4> place = {carbody.z_index, carbody.pitch_index,
                                       topology.bodies[at(layout.bogie[0])].z_index,
@@ -59,7 +44,6 @@ class PaperForm final : public FlatForm {
       state_order_[i] = place[i];
       state_order_[i + 4] = place[i] + 4;
       wheel_order_[i] = layout.wheelset[i];
-      wheelset_mass_[i] = topology.wheelsets[at(layout.wheelset[i])].mass;
     }
     if (variant_ == FlatVariant::kConsistent) {
       std::vector<int> cut_order;
@@ -68,20 +52,6 @@ class PaperForm final : public FlatForm {
                                    topology.bodies[at(layout.bogie[1])].name};
       equations_.emplace(std::vector{parameters_}, std::vector<FlatCoupling>{}, std::vector{names},
                          std::move(cut_order), std::vector<int>(wheel_order_.begin(), wheel_order_.end()));
-    }
-    columns_.carbody = column(carbody.name + ".z");
-    for (std::size_t i = 0; i < 2; ++i) {
-      columns_.bogie[i] = column(topology.bodies[at(layout.bogie[i])].name + ".z");
-      columns_.secondary[i] = column(topology.suspensions[at(layout.secondary[i])].name + ".deflection");
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      columns_.primary[i] = column(topology.suspensions[at(layout.primary[i])].name + ".deflection");
-      columns_.wheelset[i] = column(topology.wheelsets[at(layout.wheelset[i])].name + ".rail_z");
-    }
-    for (const TopologyPoint& point : topology.points) {
-      const bool on_carbody = point.body == layout.carbody;
-      points_.push_back({column(point.name + ".z"), on_carbody ? 0 : point.body == layout.bogie[0] ? 2 : 3,
-                         on_carbody ? point.arm : 0.0});
     }
   }
 
@@ -102,33 +72,10 @@ class PaperForm final : public FlatForm {
 
   void output(std::span<const double> x, std::span<const double> u, std::span<double> y) const override {
     const Inner inner = innerDerivative(x, u);
-    const auto& [zk, phi, z1, z2, dzk, dphi, dz1, dz2] = inner.x;
-    const std::array<double, 4> eta = {inner.u[0], inner.u[1], inner.u[2], inner.u[3]};
-    const std::array<double, 4> deta = {inner.u[4], inner.u[5], inner.u[6], inner.u[7]};
-    const FlatParameters& v = parameters_;
-
-    writeFrom(y, columns_.carbody, {zk, phi, dzk, dphi, inner.dx[4], inner.dx[5]});
-    writeFrom(y, columns_.bogie[0], {z1, dz1, inner.dx[6]});
-    writeFrom(y, columns_.bogie[1], {z2, dz2, inner.dx[7]});
-
-    const double front = zk + v.lf * phi - z1;
-    const double rear = zk - v.lr * phi - z2;
-    writeFrom(y, columns_.secondary[0], {front, v.cs1 * front + v.bs1 * (dzk + v.lf * dphi - dz1)});
-    writeFrom(y, columns_.secondary[1], {rear, v.cs2 * rear + v.bs2 * (dzk - v.lr * dphi - dz2)});
-    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-      const double elongation = (wheel < 2 ? z1 : z2) - eta[wheel];
-      const double force = v.cp[wheel] * elongation + v.bp[wheel] * ((wheel < 2 ? dz1 : dz2) - deta[wheel]);
-      writeFrom(y, columns_.primary[wheel], {elongation, force});
-      // Newton for the wheelset: load - static load + force = m eta''.
-      const double rail_acceleration = u[8 + at(wheel_order_[wheel])];
-      writeFrom(y, columns_.wheelset[wheel],
-                {eta[wheel], loads_.wheel[wheel] - force + wheelset_mass_[wheel] * rail_acceleration});
-    }
-    for (const PointPlace& point : points_) {
-      const std::size_t z = at(point.inner);
-      writeFrom(y, point.column, {inner.x[z] + point.arm * phi, inner.x[z + 4] + point.arm * dphi,
-                                  inner.dx[z + 4] + point.arm * inner.dx[5]});
-    }
+    std::array<double, 12> rail;
+    std::copy(inner.u.begin(), inner.u.end(), rail.begin());
+    for (std::size_t i = 0; i < 4; ++i) rail[8 + i] = u[8 + at(wheel_order_[i])];
+    output_.write(inner.x.data(), inner.dx.data(), rail.data(), y);
   }
 
   std::optional<StateSpace> linear() const override {
@@ -151,16 +98,6 @@ class PaperForm final : public FlatForm {
     std::array<double, 8> u;
     std::array<double, 8> dx;
   };
-
-  int column(const std::string& name) const {
-    const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const Channel& c) { return c.name == name; });
-    assert(found != outputs_.end());  // resultChannels() names every part of the topology
-    return static_cast<int>(found - outputs_.begin());
-  }
-
-  static void writeFrom(std::span<double> y, int column, std::initializer_list<double> values) {
-    std::copy(values.begin(), values.end(), y.begin() + column);
-  }
 
   Inner innerDerivative(std::span<const double> x, std::span<const double> u) const {
     Inner inner;
@@ -217,10 +154,8 @@ class PaperForm final : public FlatForm {
   std::vector<Channel> outputs_;
   std::array<int, 8> state_order_{};
   std::array<int, 4> wheel_order_{};
-  std::array<double, 4> wheelset_mass_{};  // [kg] in inner order
   std::optional<FlatEquationSet> equations_;  // of the consistent variant
-  Columns columns_;
-  std::vector<PointPlace> points_;
+  FlatOutput output_;
 };
 
 }  // namespace
@@ -228,6 +163,11 @@ class PaperForm final : public FlatForm {
 ProblemList flatMisfits(const Vehicle& vehicle, FlatVariant variant) {
   ProblemList problems = check(vehicle);
   if (!problems.empty()) return problems;
+  if (vehicle.units.size() > 1 && variant != FlatVariant::kConsistent) {
+    problems.add({vehicle.origin, "<train name=\"" + vehicle.name + "\">",
+                  "is a train; the printed equations know one vehicle", "use the form flat"});
+    return problems;
+  }
   const Topology topology = topologyOf(vehicle);
   const FlatReading reading = readLayout(vehicle, topology);
   problems.append(reading.problems);

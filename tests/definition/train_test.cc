@@ -82,8 +82,8 @@ TEST(CheckTrain, ValuesAreInTheirRanges) {
 TEST(CheckTrain, ThereAreAsManyCouplingsAsGapsOrOneForAll) {
   EXPECT_EQ(problemsAfter([](Train& made) { made.couplings.assign(2, made.couplings[0]); }), "");
   EXPECT_EQ(problemsAfter([](Train& made) { made.couplings.assign(3, made.couplings[0]); }),
-            "train.xml:1: error: <train>: has 3 couplings between 3 vehicles; give one <coupling> for all, or 2 of them "
-            "from front to rear\n");
+            "train.xml:1: error: <train>: has 3 couplings between 3 vehicles; give one <coupling> for all, or 2 of "
+            "them from front to rear\n");
 }
 
 TEST(CheckTrain, ACouplingNeedsOneCarbodyAndItsEnds) {
@@ -95,8 +95,8 @@ TEST(CheckTrain, ACouplingNeedsOneCarbodyAndItsEnds) {
             "train.xml:2: error: <train><vehicle>: \"asymmetric.xml\" has no carbody to couple: not just one of its "
             "bodies is without another above it; leave the <coupling> out, or let one body alone stand on top\n");
   EXPECT_EQ(problemsAfter([](Train& made) { made.couplings[0].end_x.reset(); }),
-            "train.xml:2: error: <train><vehicle>: \"asymmetric.xml\" has no end_x, and its coupling (line 4) has none; "
-            "give one of them, e.g. end_x=\"12.5 m\"\n");
+            "train.xml:2: error: <train><vehicle>: \"asymmetric.xml\" has no end_x, and its coupling (line 4) has "
+            "none; give one of them, e.g. end_x=\"12.5 m\"\n");
 }
 
 // Half of 20 m and half of 16 m from origin to origin, the carbody's CG 2.3 m ahead of its own: 18 + 2.3 - 13.3 - 7.5.
@@ -109,8 +109,8 @@ TEST(CheckTrain, NeighboursDoNotStandIntoEachOther) {
 
 TEST(CheckTrain, HeightsAreGivenForAllVehiclesOrForNone) {
   EXPECT_EQ(problemsAfter([](Train& made) { made.vehicles[1].vehicle = test::heightsVehicle(); }),
-            "train.xml:2: error: <train><vehicle>: \"asymmetric.xml\" has no heights, but \"al-oraiqat-2017.xml\" (line "
-            "3) has some; heights are given for all vehicles of a train or for none\n");
+            "train.xml:2: error: <train><vehicle>: \"asymmetric.xml\" has no heights, but \"al-oraiqat-2017.xml\" "
+            "(line 3) has some; heights are given for all vehicles of a train or for none\n");
   EXPECT_EQ(problemsAfter([](Train& made) { made.couplings[0].z = 1.0; }),
             "train.xml:4: error: <train><coupling>: z=\"1 m\", but the vehicles have no heights; leave z out, or give "
             "the vehicles heights\n");
@@ -120,7 +120,8 @@ TEST(CheckTrain, TellsTheProblemsOfItsVehicles) {
   EXPECT_EQ(problemsAfter([](Train& made) { made.vehicles[1].vehicle.bodies[0].mass = -1.0; }),
             "error: <vehicle><body name=\"carbody\">: mass=\"-1 kg\"; must be > 0\n");
   EXPECT_EQ(problemsAfter([](Train& made) { made.vehicles[0].vehicle = assembled(test::mixedTrain()); }),
-            "train.xml:2: error: <train><vehicle>: \"asymmetric.xml\" is a train itself; list its vehicles one by one\n");
+            "train.xml:2: error: <train><vehicle>: \"asymmetric.xml\" is a train itself; list its vehicles one by "
+            "one\n");
 }
 
 TEST(CheckTrain, VehiclesThatHaveNotBeenReadAreJudgedByTheirOwnLine) {
@@ -263,8 +264,8 @@ TEST(CheckVehicle, ADotStandsInNamesOfATrainsPartsOnly) {
     if (each.upper == "carbody") each.upper = "coach_1.carbody";
   }
   const std::string refused =
-      "error: <vehicle><body name=\"coach_1.carbody\">: name=\"coach_1.carbody\"; a name is made of the letters a-z and "
-      "A-Z, digits, \"_\" and \"-\"\n";
+      "error: <vehicle><body name=\"coach_1.carbody\">: name=\"coach_1.carbody\"; a name is made of the letters a-z "
+      "and A-Z, digits, \"_\" and \"-\"\n";
   EXPECT_EQ(check(vehicle).text(), refused);
   vehicle.units = {{"coach_2", "", 0.0}};
   EXPECT_EQ(check(vehicle).text(), refused);

@@ -1,0 +1,247 @@
+#include "libvehicle/study/executor.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "libvehicle/study/work_pool.h"
+#include "tests/study/evaluators.h"
+
+namespace vehicle {
+namespace {
+
+using test::FunctionEvaluator;
+using namespace std::chrono_literals;
+
+/// What came to the sink: each design's row, and a count that shows a design handed out twice.
+struct Table {
+  std::map<std::int64_t, std::vector<std::uint64_t>> rows;  // bits: NaN equals itself
+  std::map<std::int64_t, std::string> failures;
+  int repeated = 0;
+
+  Sink sink(std::size_t columns) {
+    return [this, columns](Batch& batch) {
+      for (std::int64_t design = batch.range.first; design < batch.range.last; ++design) {
+        std::vector<std::uint64_t> bits;
+        for (const double value : batch.row(design, columns)) bits.push_back(std::bit_cast<std::uint64_t>(value));
+        repeated += rows.emplace(design, bits).second ? 0 : 1;
+      }
+      for (const DesignFailure& each : batch.failures) failures[each.design] = each.message;
+    };
+  }
+};
+
+void sines(std::int64_t design, std::span<const double>, std::span<double> row) {
+  if (design % 97 == 13) throw std::domain_error("design " + std::to_string(design) + " has no mass");
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::sin(static_cast<double>(design) + 0.1 * static_cast<double>(i));
+}
+
+TEST(ThreadExecutor, AnyNumberOfThreadsGivesTheSameTable) {
+  const FunctionEvaluator evaluator(3, 7, sines);
+  Workload workload;
+  workload.ranges = {{0, 500}, {600, 601}, {700, 2000}};
+  Table reference;
+  ThreadExecutor(1).run(evaluator, workload, reference.sink(3));
+  ASSERT_EQ(reference.rows.size(), 1801u);
+  ASSERT_EQ(reference.rows.at(600)[1], std::bit_cast<std::uint64_t>(std::sin(600.1)));
+  for (const int threads : {2, 3, 5, 8}) {
+    Table table;
+    EXPECT_EQ(ThreadExecutor(threads).run(evaluator, workload, table.sink(3)), Ending::kFinished);
+    EXPECT_EQ(table.rows, reference.rows) << threads << " threads";
+    EXPECT_EQ(table.failures, reference.failures);
+    EXPECT_EQ(table.repeated, 0);
+  }
+}
+
+TEST(ThreadExecutor, AFailedDesignIsReportedAlone) {
+  const FunctionEvaluator evaluator(2, 10, sines);
+  Table table;
+  ThreadExecutor(2).run(evaluator, {{{0, 100}}, {}}, table.sink(2));
+  EXPECT_EQ(table.failures, (std::map<std::int64_t, std::string>{{13, "design 13 has no mass"}}));
+  EXPECT_EQ(table.rows.size(), 100u);
+  EXPECT_EQ(table.rows.at(12)[0], std::bit_cast<std::uint64_t>(std::sin(12.0)));
+}
+
+TEST(ThreadExecutor, GivenNumbersFollowTheirDesigns) {
+  // Two numbers a design, ranges with a gap: the row must show the design's own pair wherever the work was cut.
+  const FunctionEvaluator evaluator(
+      2, 3, [](std::int64_t, std::span<const double> given, std::span<double> row) { std::ranges::copy(given, row.begin()); },
+      2);
+  Workload workload;
+  workload.ranges = {{5, 50}, {80, 100}};
+  for (const DesignRange& range : workload.ranges) {
+    for (std::int64_t i = range.first; i < range.last; ++i) {
+      workload.given.push_back(static_cast<double>(i));
+      workload.given.push_back(-static_cast<double>(i));
+    }
+  }
+  Table table;
+  ThreadExecutor(3).run(evaluator, workload, table.sink(2));
+  ASSERT_EQ(table.rows.size(), 65u);
+  for (const auto& [design, bits] : table.rows) {
+    EXPECT_EQ(std::bit_cast<double>(bits[0]), static_cast<double>(design));
+    EXPECT_EQ(std::bit_cast<double>(bits[1]), -static_cast<double>(design));
+  }
+}
+
+TEST(ThreadExecutor, StopsOnRequestAndKeepsWhatIsFinished) {
+  std::atomic<int> evaluated = 0;
+  const FunctionEvaluator evaluator(1, 1, [&](std::int64_t design, std::span<const double>, std::span<double> row) {
+    std::this_thread::sleep_for(1ms);
+    row[0] = static_cast<double>(design);
+    ++evaluated;
+  });
+  Table table;
+  const auto begin = std::chrono::steady_clock::now();
+  const Ending ending = ThreadExecutor(2).run(evaluator, {{{0, 1'000'000}}, {}}, table.sink(1),
+                                              [&] { return table.rows.size() < 50; });
+  EXPECT_EQ(ending, Ending::kStopped);
+  EXPECT_GE(table.rows.size(), 50u);
+  EXPECT_EQ(static_cast<int>(table.rows.size()), evaluated);  // what was begun was finished and handed over
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 20s);   // the whole would take eight minutes
+}
+
+TEST(ThreadExecutor, IsAskedWhetherToGoOnWhileASlowBatchRuns) {
+  const FunctionEvaluator evaluator(1, 1, [](std::int64_t, std::span<const double>, std::span<double> row) {
+    std::this_thread::sleep_for(400ms);
+    row[0] = 0.0;
+  });
+  int asked = 0;
+  Table table;
+  ThreadExecutor(1).run(evaluator, {{{0, 1}}, {}}, table.sink(1), [&] { return ++asked > 0; });
+  EXPECT_GE(asked, 3);  // 8 times at 50 ms; a loaded machine may miss some
+}
+
+TEST(ThreadExecutor, AnErrorThatIsNoDesignsEndsTheRunWithWhatIsFinished) {
+  const FunctionEvaluator evaluator(1, 1, [](std::int64_t design, std::span<const double>, std::span<double> row) {
+    if (design == 40) throw std::bad_alloc();
+    row[0] = 0.0;
+  });
+  for (const int threads : {1, 3}) {
+    Table table;
+    ThreadExecutor executor(threads);
+    EXPECT_THROW(executor.run(evaluator, {{{0, 100'000}}, {}}, table.sink(1)), std::bad_alloc) << threads;
+    EXPECT_EQ(table.rows.count(40), 0u);
+    if (threads == 1) {
+      EXPECT_EQ(table.rows.size(), 40u);
+    }
+  }
+}
+
+TEST(ThreadExecutor, AWorkerThatCannotBeMadeEndsTheRun) {
+  struct Broken : FunctionEvaluator {
+    using FunctionEvaluator::FunctionEvaluator;
+    std::unique_ptr<Worker> worker() const override { throw std::runtime_error("no such vehicle"); }
+  };
+  const Broken evaluator(1, 1, sines);
+  ThreadExecutor executor(2);
+  EXPECT_THROW(executor.run(evaluator, {{{0, 1000}}, {}}, [](Batch&) {}), std::runtime_error);
+}
+
+TEST(ThreadExecutor, ASinkThatThrowsEndsTheRun) {
+  const FunctionEvaluator evaluator(1, 1, sines);
+  ThreadExecutor executor(2);
+  int batches = 0;
+  const Sink full = [&](Batch&) {
+    if (++batches == 5) throw std::runtime_error("disk full");
+  };
+  EXPECT_THROW(executor.run(evaluator, {{{0, 1'000'000}}, {}}, full), std::runtime_error);
+  EXPECT_EQ(batches, 5);
+}
+
+TEST(ThreadExecutor, WaitsWhenTheSinkIsSlow) {
+  // Memory: without a bound all 300 batches would be finished long before the sink has taken the tenth.
+  std::atomic<int> evaluated = 0;
+  const FunctionEvaluator evaluator(1, 1, [&](std::int64_t, std::span<const double>, std::span<double> row) {
+    ++evaluated;
+    row[0] = 0.0;
+  });
+  int taken = 0;
+  int most_ahead = 0;
+  ThreadExecutor(2).run(evaluator, {{{0, 300}}, {}}, [&](Batch&) {
+    if (taken < 30) std::this_thread::sleep_for(1ms);
+    ++taken;
+    most_ahead = std::max(most_ahead, evaluated - taken);
+  });
+  EXPECT_EQ(taken, 300);
+  EXPECT_LE(most_ahead, 2 * 2 + 2 + 2);  // the queue, and one batch in the hands of each thread
+}
+
+TEST(ThreadExecutor, UnevenWorkIsShared) {
+  // The first eighth is slow: threads that are through take from whoever has it.
+  std::mutex mutex;
+  std::set<std::thread::id> slow_ones;
+  const FunctionEvaluator evaluator(1, 1, [&](std::int64_t design, std::span<const double>, std::span<double> row) {
+    if (design < 50) {
+      std::this_thread::sleep_for(2ms);
+      const std::lock_guard lock(mutex);
+      slow_ones.insert(std::this_thread::get_id());
+    }
+    row[0] = 0.0;
+  });
+  ThreadExecutor(4).run(evaluator, {{{0, 400}}, {}}, [](Batch&) {});
+  EXPECT_GE(slow_ones.size(), 2u);  // all 4 on a quiet machine; a late thread finds nothing left
+}
+
+TEST(ThreadExecutor, NoWorkIsDoneAtOnce) {
+  const FunctionEvaluator evaluator(1, 1, sines);
+  int batches = 0;
+  EXPECT_EQ(ThreadExecutor(2).run(evaluator, {}, [&](Batch&) { ++batches; }), Ending::kFinished);
+  EXPECT_EQ(batches, 0);
+}
+
+TEST(ThreadExecutor, RefusesWhatDoesNotFit) {
+  const FunctionEvaluator evaluator(1, 1, sines, 2);
+  ThreadExecutor executor(1);
+  const auto run = [&](const Workload& workload) { executor.run(evaluator, workload, [](Batch&) {}); };
+  EXPECT_THROW(run({{{0, 3}}, {1.0, 2.0}}), std::invalid_argument);
+  EXPECT_THROW(run({{{0, 0}}, {}}), std::invalid_argument);
+  EXPECT_THROW(run({{{0, 2}, {1, 3}}, std::vector<double>(8)}), std::invalid_argument);
+  EXPECT_THROW(ThreadExecutor(-1), std::invalid_argument);
+  EXPECT_GE(ThreadExecutor(0).threads(), 1);
+}
+
+TEST(WorkPool, GoesOnWithWorkThatIsAddedLater) {
+  const FunctionEvaluator evaluator(1, 4, sines);
+  WorkPool pool(evaluator, 2);
+  std::int64_t taken = 0;
+  for (int round = 0; round < 200; ++round) {
+    const std::vector<DesignRange> ranges = {{10 * round, 10 * round + 10}};
+    pool.add(ranges, {});
+    while (pool.outstanding() > 0) {
+      if (auto batch = pool.take(1s)) taken += batch->range.size();
+    }
+  }
+  EXPECT_EQ(taken, 2000);
+}
+
+TEST(WorkPool, AbandonedWorkLeavesThePoolUsable) {
+  const FunctionEvaluator evaluator(1, 1, [](std::int64_t, std::span<const double>, std::span<double> row) {
+    std::this_thread::sleep_for(100us);
+    row[0] = 1.0;
+  });
+  WorkPool pool(evaluator, 3);
+  for (int round = 0; round < 5; ++round) {
+    const std::vector<DesignRange> many = {{0, 1'000'000'000}};
+    pool.add(many, {});
+    while (!pool.take(1s)) continue;
+    pool.abandon();
+    while (pool.outstanding() > 0) pool.take(1s);
+  }
+  const std::vector<DesignRange> few = {{0, 20}};
+  pool.add(few, {});
+  std::int64_t taken = 0;
+  while (pool.outstanding() > 0) {
+    if (auto batch = pool.take(1s)) taken += batch->range.size();
+  }
+  EXPECT_EQ(taken, 20);
+}
+
+}  // namespace
+}  // namespace vehicle

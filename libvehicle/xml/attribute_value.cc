@@ -54,6 +54,11 @@ AttributeReading readFile(const AttributeRow& row, std::string_view text) {
           "write the path of one, counted from the folder of this file"};
 }
 
+AttributeReading readWords(const AttributeRow& row, std::string_view text) {
+  if (text.find_first_not_of(kSpaces) != std::string_view::npos) return {std::string(text), "", ""};
+  return {std::string(text), fmt::format("{} is empty", written(row, text)), "write what it says, or leave the attribute out"};
+}
+
 AttributeReading readQuantity(const AttributeRow& row, std::string_view text) {
   const ParsedQuantity parsed = parseQuantity(text, row.dimension);
   if (!parsed.si || !std::isfinite(*parsed.si)) {
@@ -142,6 +147,8 @@ AttributeReading readAttribute(const AttributeRow& row, std::string_view text) {
       return readName(row, text);
     case ValueKind::kFile:
       return readFile(row, text);
+    case ValueKind::kText:
+      return readWords(row, text);
     case ValueKind::kQuantity:
       return readQuantity(row, text);
     case ValueKind::kInteger:
@@ -166,6 +173,7 @@ std::string attributeText(const AttributeRow& row, const Value& value) {
     case ValueKind::kName:
     case ValueKind::kReference:
     case ValueKind::kFile:
+    case ValueKind::kText:
       return std::get<std::string>(value);
     case ValueKind::kInteger:
       return std::to_string(std::get<int>(value));

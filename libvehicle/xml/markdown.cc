@@ -14,7 +14,7 @@ constexpr std::string_view kHead = R"(# XML files
 
 <!-- Written by the program from its schema table; a test compares the two. Change the table, not this page. -->
 
-Three kinds of file are read: `<vehicle>`, `<scenario>` and `<suite>`; `vehicle check FILE...` judges any of them and
+These kinds of file are read: `<vehicle>`, `<scenario>`, `<suite>` and `<study>`; `vehicle check FILE...` judges any of them and
 tells all problems of a file in one pass, each as one line `FILE:LINE: error: ELEMENT: what is wrong; what to do`.
 `models/vehicle.xsd` is the same table for editors and `xmllint --schema`; dimensions and references only the program
 judges.
@@ -56,6 +56,8 @@ std::string valueOf(const AttributeRow& row) {
       return "name of a part";
     case ValueKind::kFile:
       return "a path";
+    case ValueKind::kText:
+      return "text";
     case ValueKind::kQuantity: {
       const DimensionInfo& info = describe(row.dimension);
       return row.dimension == Dimension::kNumber ? std::string(info.name)

@@ -117,8 +117,9 @@ void PartReader::readOne(const tinyxml2::XMLAttribute& attribute, const Attribut
   AttributeReading reading = readAttribute(row, attribute.Value());
   if (!reading.message.empty()) {
     report(attribute.GetLineNum(), path, std::move(reading.message), std::move(reading.remedy));
-    // Whoever is called or calls wrongly is missing elsewhere.
-    if (row.kind == ValueKind::kName || row.kind == ValueKind::kReference) complete_ = false;
+    // Whoever is called or calls wrongly is missing elsewhere; of an empty text check() would say so again.
+    const bool names = row.kind == ValueKind::kName || row.kind == ValueKind::kReference;
+    if (names || row.kind == ValueKind::kText) complete_ = false;
   }
   if (row.reserved) {
     element_row.reserved(object)->push_back({row.name, attribute.Value()});

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "libvehicle/definition/bound_study.h"
 #include "libvehicle/xml/attribute_value.h"
 #include "libvehicle/xml/document.h"
 #include "libvehicle/xml/message_text.h"
@@ -83,8 +84,9 @@ Outcome<Definition> readFile(const std::string& path, FileKind kind) {
   return readDefinition<Definition>(*text.value, path, kind);
 }
 
-/// Problems of the files that a suite names, told at the place that names them.
-void checkReferences(const std::vector<FileReference>& references, FileKind kind, ProblemList& problems) {
+/// Problems of the files that a suite or study names, told at the place that names them.
+void checkReferences(const std::string& root, const std::vector<FileReference>& references, FileKind kind,
+                     ProblemList& problems) {
   const std::string& element = schemaOf(kind).name;
   for (const FileReference& reference : references) {
     const std::string path = resolvePath(reference.origin.file, reference.file);
@@ -92,14 +94,48 @@ void checkReferences(const std::vector<FileReference>& references, FileKind kind
     const std::string written = fmt::format("file=\"{}\"", shown(reference.file));
     if (!found.value) {
       const Problem& first = found.problems[0];
-      problems.add({reference.origin, fmt::format("<suite><{}>", element),
+      problems.add({reference.origin, fmt::format("<{}><{}>", root, element),
                     fmt::format("{}: {}", written, first.message), first.remedy});
     } else if (*found.value != kind) {
-      problems.add({reference.origin, fmt::format("<suite><{}>", element),
+      problems.add({reference.origin, fmt::format("<{}><{}>", root, element),
                     fmt::format("{} holds a <{}>", written, schemaOf(*found.value).name),
                     fmt::format("a <{}> is expected here", element)});
     }
   }
+}
+
+/// A file that a study names, read; its first problem is told where the study names it.
+template <class Definition>
+std::optional<Definition> readNamed(const FileReference& reference, FileKind kind, ProblemList& problems) {
+  const std::size_t before = problems.size();
+  checkReferences("study", {reference}, kind, problems);
+  if (problems.size() > before) return std::nullopt;
+  Outcome<Definition> read = readFile<Definition>(resolvePath(reference.origin.file, reference.file), kind);
+  if (read.value) return std::move(read.value);
+  problems.add({reference.origin, fmt::format("<study><{}>", schemaOf(kind).name),
+                fmt::format("file=\"{}\" has problems: {}", shown(reference.file), read.problems[0].text()),
+                "mend it first"});
+  return std::nullopt;
+}
+
+/// The study held against its vehicle and scenarios, where those are in order.
+void checkStudyFiles(const Study& study, ProblemList& problems) {
+  const std::optional<Vehicle> vehicle = readNamed<Vehicle>(study.vehicle, FileKind::kVehicle, problems);
+  std::vector<Scenario> scenarios;
+  for (const FileReference& each : study.scenarios) {
+    std::optional<Scenario> scenario = readNamed<Scenario>(each, FileKind::kScenario, problems);
+    if (!scenario) continue;
+    if (vehicle) problems.append(check(*scenario, *vehicle));
+    scenarios.push_back(std::move(*scenario));
+  }
+  if (study.plan && study.plan->kind == PlanKind::kList) {
+    const std::string list = resolvePath(study.plan->origin.file, study.plan->file);
+    if (!std::filesystem::exists(list)) {
+      problems.add({study.plan->origin, "<study><plan>", fmt::format("file=\"{}\" is not there", shown(study.plan->file)),
+                    "paths count from the folder of the study"});
+    }
+  }
+  if (vehicle && scenarios.size() == study.scenarios.size()) problems.append(bind(study, *vehicle, scenarios).problems);
 }
 
 }  // namespace
@@ -116,6 +152,10 @@ Outcome<Suite> readSuiteText(std::string_view text, const std::string& file_name
   return readDefinition<Suite>(text, file_name, FileKind::kSuite);
 }
 
+Outcome<Study> readStudyText(std::string_view text, const std::string& file_name) {
+  return readDefinition<Study>(text, file_name, FileKind::kStudy);
+}
+
 Outcome<Vehicle> readVehicle(const std::string& path) { return readFile<Vehicle>(path, FileKind::kVehicle); }
 
 Outcome<Scenario> readScenario(const std::string& path) { return readFile<Scenario>(path, FileKind::kScenario); }
@@ -123,8 +163,17 @@ Outcome<Scenario> readScenario(const std::string& path) { return readFile<Scenar
 Outcome<Suite> readSuite(const std::string& path) {
   Outcome<Suite> outcome = readFile<Suite>(path, FileKind::kSuite);
   if (!outcome.value) return outcome;
-  checkReferences(outcome.value->vehicles, FileKind::kVehicle, outcome.problems);
-  checkReferences(outcome.value->scenarios, FileKind::kScenario, outcome.problems);
+  checkReferences("suite", outcome.value->vehicles, FileKind::kVehicle, outcome.problems);
+  checkReferences("suite", outcome.value->scenarios, FileKind::kScenario, outcome.problems);
+  outcome.problems.sortByPlace();
+  if (!outcome.problems.empty()) outcome.value.reset();
+  return outcome;
+}
+
+Outcome<Study> readStudy(const std::string& path) {
+  Outcome<Study> outcome = readFile<Study>(path, FileKind::kStudy);
+  if (!outcome.value) return outcome;
+  checkStudyFiles(*outcome.value, outcome.problems);
   outcome.problems.sortByPlace();
   if (!outcome.problems.empty()) outcome.value.reset();
   return outcome;
@@ -151,6 +200,8 @@ ProblemList checkFile(const std::string& path) {
       return readScenario(path).problems;
     case FileKind::kSuite:
       return readSuite(path).problems;
+    case FileKind::kStudy:
+      return readStudy(path).problems;
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "libvehicle/definition/scenario.h"
+#include "libvehicle/definition/study.h"
 #include "libvehicle/definition/suite.h"
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/problem.h"
@@ -26,6 +27,12 @@ namespace vehicle {
 [[nodiscard]] Outcome<Suite> readSuite(const std::string& path);
 /// Does not look for the files that the suite names.
 [[nodiscard]] Outcome<Suite> readSuiteText(std::string_view text, const std::string& file_name);
+
+/// The same for a study. Its vehicle and scenarios are read too: their problems are told where the study names them, and
+/// the names and values of the study are held against them (bind() of definition).
+[[nodiscard]] Outcome<Study> readStudy(const std::string& path);
+/// Does not look for the files that the study names.
+[[nodiscard]] Outcome<Study> readStudyText(std::string_view text, const std::string& file_name);
 
 /// What a file is about, told by its root element.
 [[nodiscard]] Outcome<FileKind> kindOf(const std::string& path);

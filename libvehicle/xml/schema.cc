@@ -44,11 +44,14 @@ const ElementRow& schemaOf(FileKind kind) {
   static const ElementRow kVehicle = schema::vehicleRow();
   static const ElementRow kScenario = schema::scenarioRow();
   static const ElementRow kSuite = schema::suiteRow();
+  static const ElementRow kStudy = schema::studyRow();
+  if (kind == FileKind::kStudy) return kStudy;
   return kind == FileKind::kVehicle ? kVehicle : kind == FileKind::kScenario ? kScenario : kSuite;
 }
 
 const std::vector<FileKind>& allFileKinds() {
-  static const std::vector<FileKind> kKinds = {FileKind::kVehicle, FileKind::kScenario, FileKind::kSuite};
+  static const std::vector<FileKind> kKinds = {FileKind::kVehicle, FileKind::kScenario, FileKind::kSuite,
+                                              FileKind::kStudy};
   return kKinds;
 }
 

@@ -19,7 +19,8 @@ namespace vehicle {
 enum class FileKind {
   kVehicle,
   kScenario,
-  kSuite
+  kSuite,
+  kStudy
 };
 
 /// The format of files that this program reads and writes: <vehicle format="1">.
@@ -30,6 +31,7 @@ enum class ValueKind {
   kName,        // letters, digits, "_" and "-", beginning with a letter or digit; unique in the file
   kReference,   // the name of another part
   kFile,        // a path, counted from the folder of the naming file
+  kText,        // words that definition's check() and bind() read
   kQuantity,    // number with unit
   kInteger,     // whole number without unit
   kChoice,      // one word of a list

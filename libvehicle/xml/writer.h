@@ -3,6 +3,7 @@
 #include <string>
 
 #include "libvehicle/definition/scenario.h"
+#include "libvehicle/definition/study.h"
 #include "libvehicle/definition/suite.h"
 #include "libvehicle/definition/vehicle.h"
 
@@ -17,5 +18,6 @@ namespace vehicle {
 [[nodiscard]] std::string write(const Vehicle& vehicle);
 [[nodiscard]] std::string write(const Scenario& scenario);
 [[nodiscard]] std::string write(const Suite& suite);
+[[nodiscard]] std::string write(const Study& study);
 
 }  // namespace vehicle

@@ -75,6 +75,7 @@ class XsdWriter {
   std::string simpleTypes() const {
     std::string out = simpleType("name", R"(<xs:pattern value="[A-Za-z0-9][A-Za-z0-9_\-]{0,63}"/>)");
     out += simpleType("file", R"(<xs:pattern value="\s*\S.*"/>)");
+    out += simpleType("words", R"(<xs:pattern value="\s*\S.*"/>)");
     out += simpleType("format", fmt::format("<xs:enumeration value=\"{}\"/>", kFileFormat));
     for (const auto& [dimension, sign] : quantities_) {
       const DimensionInfo& info = describe(dimension);
@@ -98,6 +99,8 @@ class XsdWriter {
         return {"name", ""};
       case ValueKind::kFile:
         return {"file", ""};
+      case ValueKind::kText:
+        return {"words", ""};
       case ValueKind::kQuantity: {
         const Sign sign = row.sign == Sign::kPositive ? Sign::kPositive : Sign::kAny;
         quantities_.emplace(row.dimension, sign);

@@ -45,6 +45,18 @@ inline const Lines kSuiteLines = {
     R"(</suite>)",
 };
 
+inline const Lines kStudyLines = {
+    R"(<study name="d" format="1">)",
+    R"(  <vehicle file="v.xml"/>)",
+    R"(  <scenario file="s.xml"/>)",
+    R"(  <vary parameter="primary.stiffness_z" from="2 MN/m" to="4 MN/m" count="3"/>)",
+    R"(  <plan kind="grid"/>)",
+    R"(  <metric name="frame.az.rms"/>)",
+    R"(  <objective metric="frame.az.rms" goal="minimise"/>)",
+    R"(  <limit metric="frame.az.rms" below="1 m/s^2"/>)",
+    R"(</study>)",
+};
+
 inline std::string textOf(const Lines& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + '\n';

@@ -57,6 +57,11 @@ TEST(ShippedModels, ComeBackEqualFromTheWriter) {
         EXPECT_EQ(readSuiteText(write(read), "again.xml").orThrow(), read);
         break;
       }
+      case FileKind::kStudy: {
+        const Study read = readStudy(file).orThrow();
+        EXPECT_EQ(readStudyText(write(read), "again.xml").orThrow(), read);
+        break;
+      }
     }
   }
 }
@@ -90,9 +95,13 @@ TEST(ShippedSchema, RefusesWhatTheReaderRefuses) {
       {test::kScenarioLines, 3, R"(<track history="never">)"},
       {test::kScenarioLines, 2, R"(<run speed="20 m/s" duration="10 s"/><run speed="20 m/s" duration="10 s"/>)"},
       {test::kSuiteLines, 4, R"(<speed from="20 km/h" to="150 km/h" count="0"/>)"},
+      {test::kStudyLines, 4, R"(<vary from="1 kN/m" to="2 kN/m" count="3"/>)"},
+      {test::kStudyLines, 5, R"(<plan kind="random"/>)"},
+      {test::kStudyLines, 6, R"(<metric name=" "/>)"},
   };
   const std::string file = (std::filesystem::path(::testing::TempDir()) / "vehicle_wrong.xml").string();
-  for (const test::Lines* right : {&test::kVehicleLines, &test::kScenarioLines, &test::kRigLines, &test::kSuiteLines}) {
+  for (const test::Lines* right : {&test::kVehicleLines, &test::kScenarioLines, &test::kRigLines, &test::kSuiteLines,
+                                   &test::kStudyLines}) {
     std::ofstream(file) << test::textOf(*right);
     EXPECT_TRUE(isValid(file));
   }

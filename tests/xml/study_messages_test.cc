@@ -1,0 +1,179 @@
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "libvehicle/definition/parameter.h"
+#include "libvehicle/xml/reader.h"
+#include "libvehicle/xml/writer.h"
+#include "tests/support/test_folder.h"
+#include "tests/xml/files.h"
+
+namespace vehicle {
+namespace {
+
+using test::Spoilt;
+using test::withLine;
+
+TEST(StudyReader, EveryWrongLineIsTold) {
+  const std::vector<Spoilt> cases = {
+      {2, "",
+       R"(a.xml:1: error: <study>: element <vehicle> is missing; write e.g. <vehicle file="../vehicles/coach.xml"/>
+)"},
+      {3, "", "a.xml:1: error: <study>: has no <scenario>; a study has at least one\n"},
+      {4, R"(<vary from="1 N/m" to="2 N/m" count="3"/>)",
+       R"(a.xml:4: error: <study><vary>: attribute "parameter" is missing; write e.g. parameter="secondary.damping_z"
+)"},
+      {4, R"(<vary parameter="primary.stiffness_z" from="1 N/m" to="2 N/m"/>)",
+       R"(a.xml:4: error: <study><vary>: has no count; a grid needs the number of its steps, e.g. count="11"
+)"},
+      {4, R"(<vary parameter="primary.stiffness_z" from="1 N/m" to="2 N/m" count="1"/>)",
+       R"(a.xml:4: error: <study><vary>: count="1"; must be from 2 to 1000000
+)"},
+      {5, R"(<plan kind="sobol"/>)", "a.xml:5: error: <study><plan>: has no size; say how many designs, e.g. size=\"1000\"\n"},
+      {5, R"(<plan kind="sobel" size="8"/>)",
+       R"(a.xml:5: error: <study><plan>: kind="sobel" is none of "grid", "latin_hypercube", "sobol", "saltelli", "list"; did you mean "sobol"?
+)"},
+      {6, R"(<metric name=""/>)",
+       R"(a.xml:6: error: <study><metric>: name="" is empty; write what it says, or leave the attribute out
+)"},
+      {7, R"(<objective metric="frame.az.rns" goal="minimise"/>)",
+       R"(a.xml:7: error: <study><objective>: metric="frame.az.rns" is no <metric> of this study; did you mean "frame.az.rms"?
+)"},
+      {8, R"(<limit metric="frame.az.rms"/>)",
+       "a.xml:8: error: <study><limit>: has no bound; give below, above or both\n"},
+  };
+  for (const Spoilt& each : cases) {
+    const Outcome<Study> read = readStudyText(withLine(test::kStudyLines, each.line, each.instead), "a.xml");
+    EXPECT_EQ(read.problems.text(), each.says) << each.instead;
+    EXPECT_FALSE(read.value.has_value());
+  }
+}
+
+constexpr const char* kEverything = R"xml(<study name="everything" format="1" settle="2 s" evaluation="steady_state">
+  <title>All that may stand in a study</title>
+  <vehicle file="../vehicles/coach.xml"/>
+
+  <scenario file="a.xml"/>
+  <scenario file="b.xml"/>
+
+  <vary parameter="front.mass, rear.mass" kind="relative" from="80 %" to="1.2"/>
+  <vary parameter="speed"                                                      values="80 km/h, 120 km/h"/>
+  <plan kind="sobol" size="1024" seed="3"/>
+
+  <design name="soft">
+    <set parameter="secondary.stiffness_z" value="600 kN/m"/>
+    <set parameter="secondary.damping_z"   value="30 kN*s/m"/>
+  </design>
+
+  <metric name="carbody.az.rms"/>
+  <metric name="carbody.az.band(4..8 Hz)"/>
+
+  <objective metric="carbody.az.rms" goal="minimise" over="mean"/>
+
+  <limit metric="carbody.az.rms" below="0.3 m/s^2" above="0 m/s^2"/>
+</study>
+)xml";
+
+TEST(StudyWriter, WhatIsReadIsWrittenAsItStood) {
+  const Study study = readStudyText(kEverything, "a.xml").orThrow();
+  EXPECT_EQ(study.settle, 2.0);
+  EXPECT_EQ(study.evaluation, Evaluation::kSteadyState);
+  ASSERT_EQ(study.varies.size(), 2u);
+  EXPECT_EQ(study.varies[0].kind, Variation::kRelative);
+  EXPECT_EQ(study.plan.value().kind, PlanKind::kSobol);
+  EXPECT_EQ(study.designs.at(0).sets.size(), 2u);
+  EXPECT_EQ(write(study), kEverything);
+}
+
+class StudyFiles : public ::testing::Test {
+ protected:
+  StudyFiles() {
+    folder_.file("v.xml", test::textOf(test::kVehicleLines));
+    folder_.file("s.xml", test::textOf(test::kScenarioLines));
+  }
+  std::string problemsWith(int line, const std::string& instead) {
+    const std::string path = folder_.file("study.xml", withLine(test::kStudyLines, line, instead));
+    std::string text = checkFile(path).text();
+    for (std::size_t at = text.find(folder_.path("")); at != std::string::npos; at = text.find(folder_.path(""))) {
+      text.erase(at, folder_.path("").size());
+    }
+    return text;
+  }
+  test::TestFolder folder_;
+};
+
+TEST_F(StudyFiles, AStudyInOrderHasNoProblems) {
+  EXPECT_EQ(problemsWith(5, R"(<plan kind="grid"/>)"), "");
+  EXPECT_TRUE(readStudy(folder_.path("study.xml")).ok());
+}
+
+TEST_F(StudyFiles, NamesAreHeldAgainstTheVehicle) {
+  EXPECT_EQ(problemsWith(4, R"(<vary parameter="primary.stifness_z" from="2 MN/m" to="4 MN/m" count="3"/>)"),
+            "study.xml:4: error: <study><vary>: parameter \"primary.stifness_z\" is unknown; "
+            "did you mean \"primary.stiffness_z\"?\n");
+  EXPECT_EQ(problemsWith(4, R"(<vary parameter="frame.mass" from="2 MN/m" to="4 t" count="3"/>)"),
+            "study.xml:4: error: <study><vary>: from=\"2 MN/m\" is a stiffness; a mass is expected, e.g. \"57 t\"\n");
+}
+
+TEST_F(StudyFiles, AFileThatIsMissingOrWrongIsToldWhereItIsNamed) {
+  EXPECT_EQ(problemsWith(2, R"(<vehicle file="s.xml"/>)"),
+            "study.xml:2: error: <study><vehicle>: file=\"s.xml\" holds a <scenario>; a <vehicle> is expected here\n");
+  folder_.file("wrong.xml", withLine(test::kVehicleLines, 3, R"(<body name="frame" mass="-1 t" motion="z"/>)"));
+  EXPECT_EQ(problemsWith(2, R"(<vehicle file="wrong.xml"/>)"),
+            "study.xml:2: error: <study><vehicle>: file=\"wrong.xml\" has problems: wrong.xml:3: error: "
+            "<vehicle><body>: mass=\"-1 t\"; must be > 0; mend it first\n");
+  EXPECT_NE(problemsWith(3, R"(<scenario file="nowhere.xml"/>)").find("study.xml:3: error: <study><scenario>: file=\""),
+            std::string::npos);
+}
+
+// Two lists of attributes exist, because `definition` may not see the schema table: they must say the same.
+template <class Owner>
+void expectParameters(const ElementRow& row, const void* parent, const std::string& prefix,
+                      const std::vector<ParameterOf<Owner>>& parameters, std::set<std::string>& met) {
+  for (const ElementRow& child : row.children) {
+    if (child.text != nullptr) continue;
+    for (std::size_t i = 0; i < child.count(parent); ++i) {
+      const void* part = child.at(parent, i);
+      const AttributeRow* name = child.attribute("name");
+      if (name != nullptr && name->kind == ValueKind::kName) {
+        const std::string part_name = std::get<std::string>(name->get(part));
+        for (const AttributeRow& each : child.attributes) {
+          if (each.kind != ValueKind::kQuantity || each.reserved || !each.sets.empty()) continue;
+          const std::string address = prefix + part_name + '.' + each.name;
+          const ParameterOf<Owner>* found = findParameter(parameters, address);
+          ASSERT_NE(found, nullptr) << address;
+          EXPECT_EQ(found->dimension, each.dimension) << address;
+          met.insert(address);
+        }
+      }
+      expectParameters(child, part, prefix, parameters, met);
+    }
+  }
+}
+
+TEST(XmlParameters, AreTheQuantitiesOfTheNamedPartsWithTheirDimensions) {
+  Vehicle vehicle;
+  vehicle.elements.emplace_back().name = "element";
+  vehicle.groups.emplace_back().name = "group";
+  vehicle.bodies.emplace_back().name = "body";
+  vehicle.wheelsets.emplace_back().name = "wheelset";
+  vehicle.suspensions.emplace_back().name = "suspension";
+  vehicle.points.emplace_back().name = "point";
+  std::set<std::string> met;
+  expectParameters(schemaOf(FileKind::kVehicle), &vehicle, "", parametersOf(vehicle), met);
+  EXPECT_EQ(met.size(), parametersOf(vehicle).size());
+
+  Scenario scenario;
+  scenario.track.emplace();
+  scenario.track->harmonics.emplace_back().name = "wave";
+  scenario.track->dips.emplace_back().name = "dip";
+  scenario.track->ramps.emplace_back().name = "ramp";
+  met.clear();
+  expectParameters(schemaOf(FileKind::kScenario), &scenario, "scenario.", parametersOf(scenario), met);
+  // speed, gravity, duration, distance, output_step and fade_in stand in parts without a name.
+  EXPECT_EQ(met.size() + 6, parametersOf(scenario).size());
+}
+
+}  // namespace
+}  // namespace vehicle

@@ -1,0 +1,48 @@
+#include "libvehicle/distribute/message.h"
+
+namespace vehicle {
+
+std::vector<std::byte> packBatch(const Batch& batch) {
+  Packer message;
+  message.put(batch.range);
+  message.put<std::uint64_t>(batch.values.size());
+  message.putAll(std::span<const double>(batch.values));
+  message.put<std::uint64_t>(batch.failures.size());
+  for (const DesignFailure& each : batch.failures) {
+    message.put(each.design);
+    message.putText(each.message);
+  }
+  return message.take();
+}
+
+void unpackBatch(std::span<const std::byte> bytes, std::size_t columns, Batch& batch) {
+  Unpacker message(bytes);
+  batch.reset(message.get<DesignRange>(), columns);
+  if (message.get<std::uint64_t>() != batch.values.size()) {
+    throw std::runtime_error("ranks see different studies: let every machine read the same files with the same program");
+  }
+  message.getAll(std::span<double>(batch.values));
+  const auto failures = message.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < failures; ++i) {
+    const auto design = message.get<std::int64_t>();
+    batch.failures.push_back({design, message.getText()});
+  }
+}
+
+std::vector<std::byte> packPortion(const Task& task) {
+  Packer message;
+  message.put(task.range);
+  message.putAll(task.given);
+  return message.take();
+}
+
+Portion unpackPortion(std::span<const std::byte> bytes, std::size_t given) {
+  Unpacker message(bytes);
+  Portion portion;
+  portion.range = message.get<DesignRange>();
+  portion.given.resize(static_cast<std::size_t>(portion.range.size()) * given);
+  message.getAll(std::span<double>(portion.given));
+  return portion;
+}
+
+}  // namespace vehicle

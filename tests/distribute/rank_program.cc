@@ -1,0 +1,110 @@
+// One rank of a job that evaluates a closed-form table; the leader writes it, row by row in order, as bits.
+//
+// usage: rank_program CASE FILE [THREADS]
+//   CASE  whole      every design
+//         stop       the leader stops after the first batches, then evaluates everything in a second run
+//         failure    design 700 ends the work of whoever meets it; the leader writes what is thrown to it
+//         sink       the leader's sink throws; everything is evaluated in a second run
+//         absent     rank 1 never calls run(); the leader writes what is thrown to it
+//         lost       rank 1 is gone in the middle of its work
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "libvehicle/distribute/mpi_executor.h"
+#include "tests/study/evaluators.h"
+
+namespace {
+
+using namespace vehicle;
+
+constexpr std::size_t kColumns = 4;
+
+Workload wholeWorkload() {
+  Workload workload;
+  workload.ranges = {{0, 5000}, {6000, 6001}, {10'000, 30'000}};
+  for (const DesignRange& range : workload.ranges) {
+    for (std::int64_t i = range.first; i < range.last; ++i) workload.given.push_back(std::sqrt(static_cast<double>(i)));
+  }
+  return workload;
+}
+
+void write(const char* file, const std::map<std::int64_t, std::vector<double>>& rows) {
+  FILE* out = std::fopen(file, "wb");
+  if (out == nullptr) std::exit(1);
+  for (const auto& [design, row] : rows) {
+    std::fwrite(&design, sizeof design, 1, out);
+    std::fwrite(row.data(), sizeof(double), row.size(), out);
+  }
+  std::fclose(out);
+}
+
+void writeText(const char* file, const std::string& text) {
+  FILE* out = std::fopen(file, "wb");
+  if (out == nullptr) std::exit(1);
+  std::fputs(text.c_str(), out);
+  std::fclose(out);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) return 2;
+  const std::string which = argv[1];
+  const char* file = argv[2];
+  MpiExecutor executor(argc > 3 ? std::atoi(argv[3]) : 1);
+  const int rank = executor.rank();
+  int evaluated = 0;
+  const test::FunctionEvaluator evaluator(
+      kColumns, 16,
+      [&](std::int64_t design, std::span<const double> given, std::span<double> row) {
+        if (design % 1000 == 7) throw std::domain_error("design " + std::to_string(design) + " weighs nothing");
+        if (which == "failure" && design == 700) throw std::logic_error("a mistake of ours");
+        if (which == "lost" && rank == 1 && ++evaluated == 200) ::_exit(9);
+        for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::sin(given[0] + static_cast<double>(i));
+      },
+      1);
+  if (which == "absent" && rank == 1) return 0;
+  if (!executor.leads()) {
+    executor.run(evaluator, {}, [](Batch&) {});
+    return 0;
+  }
+  const Workload workload = wholeWorkload();
+  std::map<std::int64_t, std::vector<double>> rows;
+  int repeated = 0;
+  const Sink sink = [&](Batch& batch) {
+    for (std::int64_t design = batch.range.first; design < batch.range.last; ++design) {
+      const std::span<double> row = batch.row(design, kColumns);
+      repeated += rows.emplace(design, std::vector<double>(row.begin(), row.end())).second ? 0 : 1;
+    }
+    for (const DesignFailure& each : batch.failures) {
+      rows[each.design].assign(kColumns, -static_cast<double>(each.message.size()));
+    }
+  };
+  try {
+    if (which == "stop") {
+      executor.run(evaluator, workload, sink, [] { return false; });
+      rows.clear();
+    } else if (which == "sink") {
+      try {
+        executor.run(evaluator, workload, [](Batch&) { throw std::runtime_error("disk full"); });
+        return 1;
+      } catch (const std::runtime_error& error) {
+        if (std::strcmp(error.what(), "disk full") != 0) return 1;
+      }
+    }
+    if (executor.run(evaluator, workload, sink) != Ending::kFinished || repeated > 0) return 1;
+  } catch (const std::exception& error) {
+    writeText(file, error.what());
+    return 0;
+  }
+  write(file, rows);
+  return 0;
+}

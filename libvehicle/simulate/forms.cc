@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "libvehicle/flat/flat_form.h"
+#include "libvehicle/flat/flat_train.h"
 #include "libvehicle/matrix/matrix_form.h"
 #include "libvehicle/mbs/mbs_form.h"
 
@@ -23,8 +24,8 @@ struct FormEntry {
 };
 
 template <FlatVariant variant>
-FormEntry flatEntry(const char* name, Family family) {
-  return {name, Kind::kLinear, family, [](const Vehicle& vehicle) { return flatMisfits(vehicle, variant); },
+FormEntry printedEntry(const char* name) {
+  return {name, Kind::kLinear, Family::kPrinted, [](const Vehicle& vehicle) { return flatMisfits(vehicle, variant); },
           [](const Vehicle& vehicle, double gravity) -> std::unique_ptr<System> {
             return buildFlatForm(vehicle, gravity, variant);
           }};
@@ -40,16 +41,16 @@ FormEntry mbsEntry(const char* name, Kind kind) {
 
 const std::vector<FormEntry>& entries() {
   static const std::vector<FormEntry> table = {
-      flatEntry<FlatVariant::kConsistent>("flat", Family::kEquations),
+      {"flat", Kind::kLinear, Family::kEquations, flatSystemMisfits, buildFlatSystem},
       {"matrix", Kind::kLinear, Family::kEquations, [](const Vehicle& vehicle) { return check(vehicle); },
        [](const Vehicle& vehicle, double gravity) -> std::unique_ptr<System> {
          return buildMatrixForm(vehicle, gravity);
        }},
       mbsEntry<MbsLaw::kLinear>("mbs-linear", Kind::kLinear),
       mbsEntry<MbsLaw::kTrue>("mbs", Kind::kNonlinear),
-      flatEntry<FlatVariant::kPrinted7>("flat-7-printed", Family::kPrinted),
-      flatEntry<FlatVariant::kLiteral>("flat-literal", Family::kPrinted),
-      flatEntry<FlatVariant::kLiteralMb>("flat-literal-mb", Family::kPrinted),
+      printedEntry<FlatVariant::kPrinted7>("flat-7-printed"),
+      printedEntry<FlatVariant::kLiteral>("flat-literal"),
+      printedEntry<FlatVariant::kLiteralMb>("flat-literal-mb"),
   };
   return table;
 }

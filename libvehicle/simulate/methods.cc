@@ -5,16 +5,25 @@
 #include <fmt/format.h>
 
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/flat/flat_split.h"
 #include "libvehicle/mbs/mbs_form.h"
 #include "libvehicle/simulate/flat_by_type.h"
+#include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/forms.h"
 
 namespace vehicle {
 
 const std::vector<std::string>& methodNames() {
-  static const std::vector<std::string> names = {"rk4", "dopri5", "exact", "simbody_rkm"};
+  static const std::vector<std::string> names = {"rk4", "dopri5", "exact", "simbody_rkm", "rk4_split", "exact_split"};
   return names;
 }
+
+const std::vector<std::string>& generalMethodNames() {
+  static const std::vector<std::string> names(methodNames().begin(), methodNames().begin() + 4);
+  return names;
+}
+
+bool isSplitMethod(const std::string& method) { return method == "rk4_split" || method == "exact_split"; }
 
 std::string methodMisfit(const std::string& method, const std::string& form) {
   const bool linear = isLinearForm(form);
@@ -24,7 +33,24 @@ std::string methodMisfit(const std::string& method, const std::string& form) {
   if (method == "simbody_rkm") {
     return simbody ? "" : fmt::format("simbody_rkm integrates Simbody forms; {} is not one", form);
   }
+  if (isSplitMethod(method)) {
+    return form == "flat" ? "" : fmt::format("{} runs the flat form's bounce and pitch apart; {} has none", method, form);
+  }
   throw std::invalid_argument(unknownName("method", method, methodNames()));
+}
+
+std::string methodMisfit(const std::string& method, const std::string& form, const Vehicle& vehicle, double gravity) {
+  if (std::string misfit = methodMisfit(method, form); !misfit.empty()) return misfit;
+  if (!isSplitMethod(method) || !formMisfits(form, vehicle).empty()) return {};
+  return splitMethodMisfit(method, *buildFlatForm(vehicle, gravity));
+}
+
+std::string splitMethodMisfit(const std::string& method, const System& form) {
+  const auto* flat = dynamic_cast<const FlatForm*>(&form);
+  if (flat == nullptr) return fmt::format("{}: the form is not the flat one", method);
+  const std::string misfit = splitMisfit(*flat);
+  const std::string whole = method.substr(0, method.find('_'));
+  return misfit.empty() ? misfit : fmt::format("{}: {}; take {}", method, misfit, whole);
 }
 
 std::string defaultMethod(const std::string& form) { return isLinearForm(form) ? "exact" : "dopri5"; }
@@ -41,6 +67,13 @@ Statistics runMethod(const std::string& method, const System& system, const Inpu
   if (method == "rk4") {
     return flat != nullptr ? runFlatRk4(*flat, input, schedule, settings.step, x0, observe)
                            : runRk4(system, input, schedule, settings.step, x0, observe);
+  }
+  if (isSplitMethod(method)) {
+    if (const std::string misfit = splitMethodMisfit(method, system); !misfit.empty()) {
+      throw std::invalid_argument(misfit);
+    }
+    return method == "exact_split" ? runFlatExactSplit(*flat, input, schedule, x0, observe).statistics
+                                   : runFlatRk4Split(*flat, input, schedule, settings.step, x0, observe).statistics;
   }
   const auto* mbs = dynamic_cast<const MbsForm*>(&system);
   if (mbs == nullptr) throw std::invalid_argument("simbody_rkm: the form is not made of Simbody bodies");

@@ -4,29 +4,42 @@
 #include <string>
 #include <vector>
 
+#include "libvehicle/definition/vehicle.h"
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/system/system.h"
 
 namespace vehicle {
 
-/// rk4, dopri5, exact, simbody_rkm
+/// rk4, dopri5, exact, simbody_rkm, and rk4_split, exact_split: rk4 and exact in bounce and pitch coordinates, for a
+/// flat vehicle whose front and rear are alike
 [[nodiscard]] const std::vector<std::string>& methodNames();
+/// The first four: those that ask nothing of a vehicle's symmetry.
+[[nodiscard]] const std::vector<std::string>& generalMethodNames();
+/// Whether the method runs bounce and pitch apart.
+[[nodiscard]] bool isSplitMethod(const std::string& method);
 
 /// Why this method cannot integrate that form ("exact needs a linear form; mbs is nonlinear"); empty if it can.
 /// @throws std::invalid_argument for a name that does not exist, naming the nearest one
 [[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form);
+/// The same for one vehicle: rk4_split and exact_split need one that bounces and pitches apart. Empty where the form
+/// itself does not fit the vehicle: that is formMisfits()'.
+[[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form, const Vehicle& vehicle,
+                                       double gravity);
 
 /// The method that is taken where none is named: exact where it fits, else dopri5.
 [[nodiscard]] std::string defaultMethod(const std::string& form);
 
 /// The settings of all methods; each reads its own.
 struct MethodSettings {
-  FixedStep step;           // rk4
+  FixedStep step;           // rk4, rk4_split
   Accuracy accuracy;        // dopri5
   double simbody = 1e-10;   // simbody_rkm: Simbody's weighted norm
 };
 
-/// Integrates a form over the schedule by the named method.
+/// Why the split methods cannot run this form ("rk4_split: ... the rear one = 9500 kg; take rk4"); empty if they can.
+[[nodiscard]] std::string splitMethodMisfit(const std::string& method, const System& form);
+
+/// Integrates a form over the schedule by the named method, on the caller's own thread.
 Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,
                      const MethodSettings& settings, std::span<const double> x0, const Observer& observe);
 

@@ -1,5 +1,6 @@
 #include "libvehicle/simulate/simulate.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -8,6 +9,8 @@
 
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/simulate/initial_state.h"
+#include "libvehicle/simulate/shared_run.h"
+#include "libvehicle/simulate/thread_choice.h"
 
 namespace vehicle {
 
@@ -25,6 +28,10 @@ void checkChoice(const RunChoice& choice) {
   requirePositive("relative tolerance", choice.relative, "");
   requirePositive("absolute tolerance", choice.absolute, "");
   requirePositive("accuracy", choice.accuracy, "");
+  const std::vector<std::string>& maps = equationMapNames();
+  if (std::find(maps.begin(), maps.end(), choice.map) == maps.end()) {
+    throw std::invalid_argument(unknownName("map", choice.map, maps));
+  }
   if (choice.refine < 1) throw std::invalid_argument(fmt::format("refine = {}, must be >= 1", choice.refine));
 }
 
@@ -83,6 +90,10 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   if (const std::string misfit = methodMisfit(result.method, result.form); !misfit.empty()) {
     throw std::invalid_argument(misfit);
   }
+  if (const std::string misfit = threadsMisfit(result.form, result.method, choice.threads, choice.scheme);
+      !misfit.empty()) {
+    throw std::invalid_argument(misfit);
+  }
 
   const std::unique_ptr<System> system = buildForm(result.form, vehicle, scenario.gravity);
   const Input input = inputOf(scenario, topologyOf(vehicle), result.speed);
@@ -93,7 +104,13 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   Recorder recorder(*system, input, schedule, progress);
   const auto begin = std::chrono::steady_clock::now();
   try {
-    result.statistics = runMethod(result.method, *system, input, schedule, settings, x0, std::ref(recorder));
+    SharedRun run = runShared(result.method, *system, input, schedule, settings, x0, std::ref(recorder),
+                              {choice.threads, choice.scheme, equationMapOf(choice.map), choice.team});
+    result.statistics = run.statistics;
+    result.scheme = nameOf(run.scheme);
+    result.threads = run.threads;
+    result.team = std::move(run.team);
+    result.decision = std::move(run.decision);
   } catch (const std::runtime_error& failure) {
     throw RunFailed(fmt::format("{} with {}: {}", result.form, result.method, failure.what()));
   }

@@ -6,6 +6,8 @@
 
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/vehicle.h"
+#include "libvehicle/partition/choose.h"
+#include "libvehicle/partition/team.h"
 #include "libvehicle/result/time_history.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"
@@ -23,6 +25,12 @@ struct RunChoice {
   double relative = 1e-10;      // dopri5
   double absolute = 1e-12;      // dopri5, in the state's unit
   double accuracy = 1e-10;      // simbody_rkm
+
+  // Threads change the speed of a run and no bit of its result.
+  int threads = 1;              // 0: as many as a short calibration finds to be fastest, 1 where none is
+  std::string scheme;           // how they share the work, schemeNames(); empty: serial on 1 thread, else chosen
+  std::string map = "auto";     // who computes which equation, equationMapNames(); stages and halo
+  TeamChoice team;              // placement, priority, waiting, tracer; its own number of threads is not read
 };
 
 struct RunResult {
@@ -32,6 +40,10 @@ struct RunResult {
   std::string method;
   double speed = 0.0;         // [m/s]
   double wall_seconds = 0.0;  // of the integration, outputs included, building the form excluded
+  std::string scheme = "serial";
+  int threads = 1;
+  TeamReport team;            // one entry a thread; none where the caller's own thread did the run
+  Decision decision;          // what the calibration found; its reason is empty where the choice left nothing open
 };
 
 /// Called now and then with the share done, 0..1; returning false ends the run with what there is.
@@ -39,7 +51,8 @@ using Progress = std::function<bool(double)>;
 
 /// One run: definition and names in, time history out.
 /// @throws InvalidInput           vehicle or scenario is wrong, or the form does not fit
-/// @throws std::invalid_argument  form, method, speed, step or tolerance is wrong; the message says which
+/// @throws std::invalid_argument  form, method, speed, step, tolerance, threads, scheme or map is wrong or does
+///                                not fit the others; the message says which
 /// @throws RunFailed              NaN, or an integrator gave up; names column and time
 [[nodiscard]] RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice = {},
                                  const Progress& progress = {});

@@ -82,7 +82,7 @@ class Case {
         if (!isPrintedVariant(form)) forms.push_back(form);
       }
     }
-    const std::vector<std::string>& methods = choice_.methods.empty() ? methodNames() : choice_.methods;
+    const std::vector<std::string>& methods = choice_.methods.empty() ? generalMethodNames() : choice_.methods;
     for (const std::string& form : forms) {
       if (const ProblemList misfits = formMisfits(form, vehicle_); !misfits.empty()) {
         report_.misfits.push_back({form, "", misfits[0].message});

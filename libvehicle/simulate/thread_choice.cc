@@ -1,0 +1,72 @@
+#include "libvehicle/simulate/thread_choice.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/simulate/forms.h"
+#include "libvehicle/simulate/methods.h"
+
+namespace vehicle {
+
+namespace {
+
+constexpr const char* kRemedy = "take --threads 1";
+
+std::string whyNotShared(const std::string& form, const std::string& method) {
+  if (isSimbodyForm(form)) {
+    return fmt::format("{} cannot be cut into equations: Simbody computes all at once; {}", form, kRemedy);
+  }
+  if (method == "dopri5") {
+    return fmt::format("dopri5 is not shared among threads: each of its steps is chosen from the whole state; {}",
+                       kRemedy);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Scheme> schemesOf(const std::string& method) {
+  if (method == "rk4") return {Scheme::kSerial, Scheme::kStages, Scheme::kHalo, Scheme::kPipeline};
+  if (method == "exact") return {Scheme::kSerial, Scheme::kRows};
+  if (isSplitMethod(method)) return {Scheme::kSerial, Scheme::kSplit};
+  return {Scheme::kSerial};
+}
+
+bool canBeShared(const std::string& form, const std::string& method) {
+  return whyNotShared(form, method).empty() && schemesOf(method).size() > 1;
+}
+
+std::string threadsMisfit(const std::string& form, const std::string& method, int threads, const std::string& scheme) {
+  if (threads < 0 || threads > kMostThreads) {
+    throw std::invalid_argument(
+        fmt::format("threads = {}, must be 1..{}, or 0 to let a calibration choose", threads, kMostThreads));
+  }
+  const std::vector<std::string>& names = schemeNames();
+  if (!scheme.empty() && std::find(names.begin(), names.end(), scheme) == names.end()) {
+    throw std::invalid_argument(unknownName("scheme", scheme, names));
+  }
+  const bool serial = scheme.empty() ? threads <= 1 : scheme == nameOf(Scheme::kSerial);
+  if (serial) {
+    return threads <= 1 ? std::string{}
+                        : fmt::format("scheme serial runs on one thread, not on {}; {}, or another scheme", threads,
+                                      kRemedy);
+  }
+  if (std::string why = whyNotShared(form, method); !why.empty()) return why;
+  if (!scheme.empty()) {
+    const std::vector<Scheme> possible = schemesOf(method);
+    if (std::find(possible.begin(), possible.end(), schemeOf(scheme)) == possible.end()) {
+      std::string known;
+      for (const Scheme each : possible) known += fmt::format("{}{}", known.empty() ? "" : " | ", nameOf(each));
+      return fmt::format("scheme {} does not share the work of {}; take {}", scheme, method, known);
+    }
+  }
+  if (isSplitMethod(method) && threads > 2) {
+    return fmt::format("{} has two parts, bounce and pitch: it runs on 1 or 2 threads, not on {}", method, threads);
+  }
+  return {};
+}
+
+}  // namespace vehicle

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libvehicle/partition/scheme.h"
+
+namespace vehicle {
+
+/// Most threads a run may ask for.
+inline constexpr int kMostThreads = 256;
+
+/// The schemes by which threads can share the work of a method, serial first.
+///     rk4: serial, stages, halo, pipeline     exact: serial, rows     rk4_split, exact_split: serial, split
+///     others: serial
+[[nodiscard]] std::vector<Scheme> schemesOf(const std::string& method);
+
+/// Whether threads can share the work of a method on a form at all; "auto" then has something to choose.
+[[nodiscard]] bool canBeShared(const std::string& form, const std::string& method);
+
+/// Why this method on that form cannot run on so many threads by that scheme, in one sentence with its remedy; empty
+/// if it can, as far as names tell: a vehicle may still have fewer equations than threads.
+/// @param threads  0: chosen; 1..kMostThreads   @param scheme  schemeNames(), or empty: chosen
+/// @throws std::invalid_argument for a number or a name that does not exist, naming the nearest one
+[[nodiscard]] std::string threadsMisfit(const std::string& form, const std::string& method, int threads,
+                                        const std::string& scheme);
+
+}  // namespace vehicle

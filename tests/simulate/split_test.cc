@@ -1,0 +1,115 @@
+// rk4_split and exact_split: bounce and pitch apart.
+
+#include <gtest/gtest.h>
+
+#include "tests/simulate/histories.h"
+#include "tests/support/tolerance.h"
+#include "tests/support/vehicles.h"
+
+namespace vehicle::test {
+namespace {
+
+void expectSameBits(const RunResult& actual, const RunResult& reference, const std::string& what) {
+  ASSERT_EQ(actual.history.samples(), reference.history.samples()) << what;
+  for (std::size_t column = 0; column < reference.history.columns().size(); ++column) {
+    EXPECT_EQ(actual.history.column(column), reference.history.column(column))
+        << what << ": " << reference.history.columns()[column].name;
+  }
+  EXPECT_EQ(actual.statistics.steps, reference.statistics.steps) << what;
+  EXPECT_EQ(actual.statistics.evaluations, reference.statistics.evaluations) << what;
+}
+
+// The split rounds sums and differences of the bogies and of the rail that the whole rounds in other places: each
+// step leaves some roundings of 2^-53 in either, and what is left of them decays with the slowest mode (0.88/s), which
+// remembers some 1100 steps of 1 ms. As random signs that is sqrt(1100) = 33, with the dozen roundings of a
+// step some 100; forces are differences of displacements some ten times their elongation. 4000 covers the worst
+// column; a wrong coefficient shows at 1e-3 = 1e13.
+constexpr double kRoundings = 4000.0 * 0x1p-53;
+
+TEST(Split, DiffersFromTheWholeByRoundingAlone) {
+  for (const Vehicle& vehicle : {paperVehicle(), paperVehicle(686465.5), heightsVehicle()}) {
+    for (const History history : {History::kOnset, History::kExtended}) {
+      for (const std::string method : {"rk4", "exact"}) {
+        const Scenario scenario = paperScenario(history);
+        const RunResult whole = run(vehicle, scenario, "flat", method);
+        const RunResult split = run(vehicle, scenario, "flat", method + "_split");
+        EXPECT_WITHIN(historyError(split.history, whole.history), 0.0, kRoundings) << vehicle.name << " " << method;
+        EXPECT_EQ(split.statistics.steps, whole.statistics.steps);
+        EXPECT_EQ(split.scheme, "serial");
+      }
+    }
+  }
+}
+
+TEST(Split, TwoThreadsGiveTheBitsOfOne) {
+  for (const Vehicle& vehicle : {paperVehicle(), heightsVehicle()}) {
+    for (const char* method : {"rk4_split", "exact_split"}) {
+      for (const double speed : {20.0 / 3.6, 80.0 / 3.6, 150.0 / 3.6}) {
+        RunChoice choice;
+        choice.speed = speed;
+        const Scenario scenario = paperScenario(History::kOnset);
+        const RunResult one = run(vehicle, scenario, "flat", method, choice);
+        choice.threads = 2;
+        const RunResult two = run(vehicle, scenario, "flat", method, choice);
+        EXPECT_EQ(two.scheme, "split");
+        EXPECT_EQ(two.threads, 2);
+        EXPECT_EQ(two.team.members.size(), 2u);
+        expectSameBits(two, one, std::string(method));
+      }
+    }
+  }
+}
+
+TEST(Split, StartsFromAnyStateAndEndsEarlyWhenToldTo) {
+  Scenario scenario = paperScenario(History::kExtended);
+  scenario.initial_state.from = InitialRest::kPeriodic;
+  InitialBody bogie;
+  bogie.name = "rear_bogie";
+  bogie.z = -2e-3;
+  bogie.z_rate = 0.03;
+  scenario.initial_state.bodies = {bogie};
+  const RunResult whole = run(paperVehicle(), scenario, "flat", "exact");
+  for (const int threads : {1, 2}) {
+    RunChoice choice;
+    choice.threads = threads;
+    const RunResult split = run(paperVehicle(), scenario, "flat", "exact_split", choice);
+    EXPECT_WITHIN(historyError(split.history, whole.history), 0.0, kRoundings);
+    choice.form = "flat";
+    choice.method = "rk4_split";
+    const RunResult some = simulate(paperVehicle(), scenario, choice, [](double share) { return share < 0.5; });
+    EXPECT_TRUE(some.statistics.stopped);
+    EXPECT_GT(some.history.samples(), 900u);
+    EXPECT_LT(some.history.samples(), 1400u);
+  }
+}
+
+std::string refusal(const Vehicle& vehicle, const std::string& form, const std::string& method, int threads) {
+  try {
+    RunChoice choice;
+    choice.threads = threads;
+    (void)run(vehicle, paperScenario(History::kOnset), form, method, choice);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(Split, IsRefusedWhereBounceAndPitchDoNotPart) {
+  Vehicle heavier = paperVehicle();
+  named(heavier.bodies, "rear_bogie").mass = 9.5e3;
+  const std::string why =
+      "rk4_split: bounce and pitch part in a vehicle only whose front and rear are the same to the last bit: "
+      "mass of the front bogie = 9000 kg, of the rear one = 9500 kg; take rk4";
+  EXPECT_EQ(refusal(heavier, "flat", "rk4_split", 1), why);
+  EXPECT_EQ(refusal(heavier, "flat", "rk4_split", 2), why);
+  EXPECT_EQ(methodMisfit("rk4_split", "flat", heavier, 9.81), why);
+  EXPECT_EQ(methodMisfit("rk4_split", "flat", paperVehicle(), 9.81), "");
+  EXPECT_EQ(methodMisfit("rk4_split", "flat", bogiePitchVehicle(), 9.81), "");
+  EXPECT_EQ(refusal(paperVehicle(), "matrix", "exact_split", 1),
+            "exact_split runs the flat form's bounce and pitch apart; matrix has none");
+  EXPECT_EQ(refusal(paperVehicle(), "flat", "exact_split", 3),
+            "exact_split has two parts, bounce and pitch: it runs on 1 or 2 threads, not on 3");
+}
+
+}  // namespace
+}  // namespace vehicle::test

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <ctime>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
@@ -14,6 +16,31 @@ inline double threadSeconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Wall time [s]: what threads cost that wait for each other. Only a quiet machine measures it right.
+inline double wallSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Registers benchmarks once the command line is read: --threads=2,4 gives the numbers of threads (default 2,4).
+using ThreadedRegistration = std::function<void(const std::vector<int>& thread_counts)>;
+bool registerForThreads(ThreadedRegistration registration);
+
+/// Times runs of threads. batch() does `steps` of something and returns the wall time [s] it took, start and end of
+/// the threads not counted.
+template <class Batch>
+void measureWall(benchmark::State& state, int threads, long steps, Batch batch) {
+  double seconds = 0.0;
+  for (auto _ : state) {
+    const double took = batch();
+    state.SetIterationTime(took);
+    seconds += took;
+  }
+  state.counters["threads"] = threads;
+  state.counters["ns_per_step"] = 1e9 * seconds / static_cast<double>(state.iterations()) / static_cast<double>(steps);
 }
 
 /// Times solve() (a whole run, giving the state at its end) after checking that it solves the same problem to

@@ -1,19 +1,22 @@
 // main() of every benchmark program: Google Benchmark's table, then one line per problem and peer, and the same as
-// CSV where --results=FOLDER names a place for it.
+// CSV where --results=FOLDER names a place for it. --threads=2,4 is for the programs that measure threads.
 //
 // Names are "problem/solver"; solvers that begin with "ours" are compared with every peer of the problem.
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <string>
-#include <thread>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+
+#include "benchmarks/measure.h"
 
 namespace {
 
@@ -23,7 +26,29 @@ struct Measurement {
   double median = 0.0;      // [ns] a step, or a whole run where the problem says so
   double deviation = 0.0;   // [ns] standard deviation over the repetitions
   double error = 0.0;       // of the end state, of peak
+  int threads = 1;
 };
+
+std::vector<vehicle::bench::ThreadedRegistration>& registrations() {
+  static std::vector<vehicle::bench::ThreadedRegistration> all;
+  return all;
+}
+
+// "2,4" -> {2, 4}; empty if it is not a list of numbers from 1.
+std::vector<int> numbersIn(std::string_view list) {
+  std::vector<int> numbers;
+  while (!list.empty()) {
+    int number = 0;
+    const auto [end, problem] = std::from_chars(list.data(), list.data() + list.size(), number);
+    if (problem != std::errc() || number < 1) return {};
+    numbers.push_back(number);
+    list.remove_prefix(static_cast<std::size_t>(end - list.data()));
+    if (list.empty()) return numbers;
+    if (list.front() != ',') return {};
+    list.remove_prefix(1);
+  }
+  return {};
+}
 
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
@@ -41,6 +66,9 @@ class RatioReporter : public benchmark::ConsoleReporter {
       if (run.aggregate_name == "median") {
         entry.median = value;
         if (const auto error = run.counters.find("error"); error != run.counters.end()) entry.error = error->second.value;
+        if (const auto count = run.counters.find("threads"); count != run.counters.end()) {
+          entry.threads = static_cast<int>(count->second.value);
+        }
       }
       if (run.aggregate_name == "stddev") entry.deviation = value;
     }
@@ -62,8 +90,8 @@ class RatioReporter : public benchmark::ConsoleReporter {
     std::ofstream file(folder + "/" + program + ".csv");
     file << "problem,solver,median_ns,stddev_ns,error,compiler,flags,commit,threads\n";
     for (const auto& [name, m] : measurements_) {
-      file << fmt::format("{},{},{:.5g},{:.2g},{:.3e},g++ {},{},{},1\n", m.problem, m.solver, m.median, m.deviation,
-                          m.error, __VERSION__, VEHICLE_FLAGS, VEHICLE_COMMIT);
+      file << fmt::format("{},{},{:.5g},{:.2g},{:.3e},g++ {},{},{},{}\n", m.problem, m.solver, m.median, m.deviation,
+                          m.error, __VERSION__, VEHICLE_FLAGS, VEHICLE_COMMIT, m.threads);
     }
   }
 
@@ -73,14 +101,36 @@ class RatioReporter : public benchmark::ConsoleReporter {
 
 }  // namespace
 
+namespace vehicle::bench {
+
+bool registerForThreads(ThreadedRegistration registration) {
+  registrations().push_back(std::move(registration));
+  return true;
+}
+
+}  // namespace vehicle::bench
+
 int main(int argc, char** argv) {
+  constexpr std::string_view kResults = "--results=";
+  constexpr std::string_view kThreads = "--threads=";
   std::string results;
+  std::vector<int> thread_counts = {2, 4};
   std::vector<char*> arguments;
   for (int i = 0; i < argc; ++i) {
-    constexpr const char* kResults = "--results=";
-    if (std::strncmp(argv[i], kResults, std::strlen(kResults)) == 0) results = argv[i] + std::strlen(kResults);
-    else arguments.push_back(argv[i]);
+    const std::string_view argument = argv[i];
+    if (argument.starts_with(kResults)) {
+      results = argument.substr(kResults.size());
+    } else if (argument.starts_with(kThreads)) {
+      thread_counts = numbersIn(argument.substr(kThreads.size()));
+      if (thread_counts.empty()) {
+        fmt::print(stderr, "{}: must be numbers of threads >= 1, e.g. --threads=2,4\n", argument);
+        return 2;
+      }
+    } else {
+      arguments.push_back(argv[i]);
+    }
   }
+  for (const auto& registration : registrations()) registration(thread_counts);
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;

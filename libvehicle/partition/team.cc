@@ -54,7 +54,7 @@ class TeamRun {
   void live(int number) {
     MemberReport& report = report_.members[static_cast<std::size_t>(number)];
     try {
-      Member member(number, choice_.threads, report_.waiting, stopped_, choice_);
+      Member member(number, stride(), report_.waiting, stopped_, choice_);
       placeThisThread(choice_, number, report_.cores, report);
       arrive();
       const ThreadUsage before = usageOfThisThread();
@@ -73,6 +73,12 @@ class TeamRun {
     } catch (const TeamStopped&) {
     }
     report.usage = between(before, usageOfThisThread());
+  }
+
+  int stride() const {
+    const int cores = static_cast<int>(report_.cores.size());
+    if (choice_.threads <= cores) return 0;
+    return choice_.pinning == Pinning::kCores ? cores : 1;
   }
 
   void arrive() {

@@ -49,8 +49,20 @@ class alignas(64) Member {
   /// @throws TeamStopped if the team was stopped and ready() is not true
   template <class Ready>
   void wait(Ready ready, int for_whom) {
-    if (!ready()) waitLonger(ready, for_whom);
+    if (!ready()) waitLonger(ready, for_whom, [this, for_whom] { return sharesCore(for_whom); });
   }
+
+  /// The same for a caller who knows better when another member needs this core.
+  /// @param core_is_wanted  asked between two looks; true: no pause, the core is given away at once
+  template <class Ready, class Wanted>
+  void wait(Ready ready, int for_whom, Wanted core_is_wanted) {
+    if (!ready()) waitLonger(ready, for_whom, core_is_wanted);
+  }
+
+  /// More threads than cores: the others that run in turn with this one are number() % stride() + k stride(). Free
+  /// threads may stand anywhere, so then it is all of them (1). 0: everyone has a core.
+  [[nodiscard]] int stride() const { return stride_; }
+  [[nodiscard]] bool sharesCore(int other) const { return stride_ > 0 && (other - number_) % stride_ == 0; }
 
   /// Lets a test delay this exchange.
   void disturb(long epoch) const {
@@ -71,27 +83,29 @@ class alignas(64) Member {
 
  private:
   friend class TeamRun;
-  Member(int number, int threads, const Waiting& waiting, std::atomic<bool>& stopped, const TeamChoice& choice)
+  Member(int number, int stride, const Waiting& waiting, std::atomic<bool>& stopped, const TeamChoice& choice)
       : number_(number),
-        threads_(threads),
+        threads_(choice.threads),
+        stride_(stride),
         waiting_(waiting),
         stopped_(&stopped),
         disturb_(choice.disturb ? &choice.disturb : nullptr),
         trace_(choice.tracer != nullptr ? &choice.tracer->thread(number) : nullptr) {}
 
-  template <class Ready>
-  void waitLonger(Ready& ready, int for_whom) {
+  template <class Ready, class Wanted>
+  void waitLonger(Ready& ready, int for_whom, Wanted core_is_wanted) {
     if (trace_ != nullptr) [[unlikely]] trace_->beginWait(for_whom);
     Patience patience(waiting_);
     do {
       if (stopped()) throw TeamStopped{};
-      patience.turn();
+      patience.turn(core_is_wanted());
     } while (!ready());
     if (trace_ != nullptr) [[unlikely]] trace_->endWait();
   }
 
   int number_;
   int threads_;
+  int stride_;
   Waiting waiting_;
   std::atomic<bool>* stopped_;
   const std::function<void(int, long)>* disturb_;

@@ -9,11 +9,11 @@ namespace vehicle {
 
 namespace {
 
-// About 30 us of pauses: longer than any exchange of microseconds lasts, shorter than a turn of the scheduler.
+// About 60 us of pauses: longer than any exchange of microseconds lasts, shorter than a turn of the scheduler.
 constexpr int kLongPauses = 2000;
-// A look at a line that is on its way takes longer than this; what takes still longer needs the core.
+// Threads take turns on the other cores too: about as long as one change of threads takes (1.3 us).
+constexpr int kTurnPauses = 48;
 constexpr int kShortPauses = 64;
-constexpr int kTurnPauses = 16;
 constexpr int kYields = 1000;
 // Linux adds its timer slack of 50 us to whatever is asked; less would only burn system calls.
 constexpr double kSleep = 50e-6;  // [s]

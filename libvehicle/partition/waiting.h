@@ -50,8 +50,9 @@ class Patience {
   explicit Patience(const Waiting& waiting) : pauses_(waiting.pauses), waiting_(&waiting) {}
 
   /// Call between two looks.
-  void turn() {
-    if (pauses_ > 0) {
+  /// @param core_is_wanted  what is waited for may need this very core: no pause, it is given away at once
+  void turn(bool core_is_wanted = false) {
+    if (pauses_ > 0 && !core_is_wanted) {
       if (pauses_ != Waiting::kForever) --pauses_;
       pauseCore();
     } else {

@@ -10,7 +10,8 @@ packages=(
   g++ cmake ninja-build                                  # to build
   libeigen3-dev libsimbody-dev liblapack-dev             # numbers and bodies; Simbody's CMake targets name lapack and blas
   libhwloc-dev                                           # where cores and caches are
-  libtinyxml2-dev libhdf5-dev libfmt-dev libcli11-dev nlohmann-json3-dev   # files, messages, command line
+  libtinyxml2-dev libhdf5-dev libsqlite3-dev             # files
+  libfmt-dev libcli11-dev nlohmann-json3-dev             # messages, command line
   libgtest-dev libbenchmark-dev                          # tests and benchmarks
   libxml2-utils octave                                   # xmllint judges the models; Octave is the paper's ode45
 )

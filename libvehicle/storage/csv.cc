@@ -1,6 +1,5 @@
 #include "libvehicle/storage/csv.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/storage/csv_text.h"
 #include "libvehicle/storage/read_file.h"
 #include "libvehicle/storage/run_record.h"
 
@@ -22,65 +22,15 @@ namespace {
 constexpr std::size_t kMostProblems = 20;
 constexpr const char* kExample = "a header reads e.g. \"time [s],carbody.z [m]\"";
 
-// Only names that need it are quoted (RFC 4180): a comma in a part's name would shift every later column.
-void appendField(std::string& line, const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    line += text;
-    return;
-  }
-  line += '"';
-  for (const char c : text) {
-    if (c == '"') line += '"';
-    line += c;
-  }
-  line += '"';
-}
-
-void appendNumber(std::string& line, double value) {
-  std::array<char, 32> text;  // the longest shortest form, -2.2250738585072014e-308, has 24 characters
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  line.append(text.data(), end);
-}
-
-// The next line without its end; moves `rest` behind it.
-std::string_view takeLine(std::string_view& rest) {
-  const std::size_t end = rest.find('\n');
-  std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
-// Fields of the header line; nothing if a quote stays open.
-std::optional<std::vector<std::string>> splitHeader(std::string_view line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-      fields.back() += line[i++];
-    } else if (line[i] == '"') {
-      quoted = !quoted;
-    } else if (line[i] == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += line[i];
-    }
-  }
-  if (quoted) return std::nullopt;
-  return fields;
-}
-
-// "carbody.z [m]" -> {"carbody.z", "m"}
 std::optional<Channel> channelOf(const std::string& field) {
-  const std::size_t bracket = field.rfind(" [");
-  if (bracket == std::string::npos || bracket == 0 || !field.ends_with(']')) return std::nullopt;
-  return Channel{field.substr(0, bracket), field.substr(bracket + 2, field.size() - bracket - 3)};
+  const std::optional<NamedColumn> column = columnOf(field);
+  return column ? std::optional<Channel>({column->name, column->unit}) : std::nullopt;
 }
 
 std::vector<Channel> readHeader(std::string_view line, const std::string& file, ProblemList& problems) {
   const Place place{file, 1};
   std::vector<Channel> channels;
-  const auto fields = splitHeader(line);
+  const auto fields = splitFields(line);
   if (!fields) {
     problems.add({place, "", "a quote in the header is never closed", ""});
     return channels;

@@ -1,0 +1,47 @@
+#include "libvehicle/storage/study_record.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace vehicle {
+
+void DesignBatch::addRow(std::uint64_t id, DesignStatus status, std::span<const double> parameters) {
+  if (parameters.size() != parameters_) {
+    throw std::invalid_argument(
+        fmt::format("DesignBatch: design {} has {} parameters, must have {}", id, parameters.size(), parameters_));
+  }
+  values_.insert(values_.end(), parameters.begin(), parameters.end());
+  rows_.push_back({id, status, 0});
+}
+
+void DesignBatch::add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics) {
+  if (metrics.size() != metrics_) {
+    throw std::invalid_argument(
+        fmt::format("DesignBatch: design {} has {} metrics, must have {}", id, metrics.size(), metrics_));
+  }
+  addRow(id, DesignStatus::kDone, parameters);
+  values_.insert(values_.end(), metrics.begin(), metrics.end());
+}
+
+void DesignBatch::addFailed(std::uint64_t id, std::span<const double> parameters, std::string message) {
+  if (message.empty()) throw std::invalid_argument(fmt::format("DesignBatch: design {} failed without a message", id));
+  addRow(id, DesignStatus::kFailed, parameters);
+  values_.resize(values_.size() + metrics_, 0.0);
+  rows_.back().message = messages_.size();
+  messages_.push_back(std::move(message));
+}
+
+void DesignBatch::clear() {
+  rows_.clear();
+  values_.clear();
+  messages_.clear();
+}
+
+std::span<const double> DesignBatch::values(std::size_t row) const {
+  const std::size_t width = parameters_ + metrics_;
+  return {values_.data() + row * width, width};
+}
+
+}  // namespace vehicle

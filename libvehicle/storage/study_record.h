@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "libvehicle/storage/run_record.h"
+#include "libvehicle/units/channel.h"
+
+namespace vehicle {
+
+/// What a study is, apart from its designs: enough to repeat it.
+struct StudyRecord {
+  std::string program;              // name and version
+  std::vector<InputFile> inputs;    // the study file first, then vehicle, scenarios, lists: exactly as they were read
+  std::vector<Channel> parameters;  // names and SI units
+  std::vector<Channel> metrics;     // "carbody.az.rms @ 80 km/h", "m/s^2"
+  std::uint64_t designs = 0;        // ids are 0 .. designs - 1
+  bool operator==(const StudyRecord&) const = default;
+};
+
+enum class DesignStatus {
+  kDone,
+  kFailed
+};
+
+/// Evaluated designs on their way into the database.
+class DesignBatch {
+ public:
+  DesignBatch(std::size_t parameters, std::size_t metrics) : parameters_(parameters), metrics_(metrics) {}
+
+  /// @param parameters, metrics  [SI], finite
+  /// @throws std::invalid_argument if there are not as many as the study has
+  void add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics);
+  /// A design without metrics. @param message  why, not empty
+  void addFailed(std::uint64_t id, std::span<const double> parameters, std::string message);
+
+  void clear();
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] std::size_t parameters() const { return parameters_; }
+  [[nodiscard]] std::size_t metrics() const { return metrics_; }
+
+  struct Row {
+    std::uint64_t id = 0;
+    DesignStatus status = DesignStatus::kDone;
+    std::size_t message = 0;  // of a failed one, in messages()
+  };
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+  /// Shape (parameters + metrics); the metrics of a failed design are 0 and mean nothing.
+  [[nodiscard]] std::span<const double> values(std::size_t row) const;
+  [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  void addRow(std::uint64_t id, DesignStatus status, std::span<const double> parameters);
+
+  std::size_t parameters_;
+  std::size_t metrics_;
+  std::vector<Row> rows_;
+  std::vector<double> values_;  // (rows x (parameters + metrics))
+  std::vector<std::string> messages_;
+};
+
+/// A design as it is read back; valid until the next one.
+struct StoredDesign {
+  std::uint64_t id = 0;
+  DesignStatus status = DesignStatus::kDone;
+  std::string_view message;            // of a failed one
+  std::span<const double> parameters;  // [SI]
+  std::span<const double> metrics;     // [SI]; empty for a failed one
+};
+
+/// Designs first .. last, both included.
+struct DesignRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+  bool operator==(const DesignRange&) const = default;
+};
+
+}  // namespace vehicle

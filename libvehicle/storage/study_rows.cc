@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/storage/csv_text.h"
+#include "libvehicle/storage/study_open.h"
+
+// Designs into the database and out of it.
+namespace vehicle {
+
+namespace {
+
+constexpr int kFirstValue = 3;  // after id, status, message
+
+void requireStorable(const StudyRecord& record, const DesignBatch& batch) {
+  if (batch.parameters() != record.parameters.size() || batch.metrics() != record.metrics.size()) {
+    throw std::invalid_argument(fmt::format("StudyDatabase: the batch has {} + {} columns, the study {} + {}",
+                                            batch.parameters(), batch.metrics(), record.parameters.size(),
+                                            record.metrics.size()));
+  }
+  for (std::size_t row = 0; row < batch.size(); ++row) {
+    const std::uint64_t id = batch.rows()[row].id;
+    if (id >= record.designs) {
+      throw std::invalid_argument(fmt::format("StudyDatabase: design {} of a study of {}", id, record.designs));
+    }
+    const std::span<const double> values = batch.values(row);
+    const auto wrong = std::find_if_not(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
+    if (wrong == values.end()) continue;
+    const auto index = static_cast<std::size_t>(wrong - values.begin());
+    const std::size_t parameters = record.parameters.size();
+    const Channel& column = index < parameters ? record.parameters[index] : record.metrics[index - parameters];
+    throw std::invalid_argument(
+        fmt::format("StudyDatabase: design {}: {} = {}, must be finite; such a design has failed", id, column.name, *wrong));
+  }
+}
+
+}  // namespace
+
+std::uint64_t StudyDatabase::stored() const {
+  try {
+    SqliteStatement count(*open_->connection, "SELECT count(*) FROM designs");
+    count.step();
+    return static_cast<std::uint64_t>(count.integer(0));
+  } catch (const SqliteError& error) {
+    open_->fail("cannot be read", error);
+  }
+}
+
+std::vector<DesignRange> StudyDatabase::missing() const {
+  std::vector<DesignRange> ranges;
+  std::uint64_t next = 0;
+  const auto gapTo = [&](std::uint64_t end) {
+    if (next < end) ranges.push_back({next, end - 1});
+  };
+  try {
+    SqliteStatement ids(*open_->connection, "SELECT id FROM designs ORDER BY id");
+    while (ids.step()) {
+      const auto id = static_cast<std::uint64_t>(ids.integer(0));
+      gapTo(id);
+      next = id + 1;
+    }
+  } catch (const SqliteError& error) {
+    open_->fail("cannot be read", error);
+  }
+  gapTo(open_->record.designs);
+  return ranges;
+}
+
+void StudyDatabase::append(const DesignBatch& batch) {
+  if (open_->insert == nullptr) throw std::invalid_argument("StudyDatabase: opened for reading, cannot append");
+  requireStorable(open_->record, batch);
+  SqliteConnection& connection = *open_->connection;
+  SqliteStatement& insert = *open_->insert;
+  std::uint64_t at_hand = 0;
+  try {
+    connection.run("BEGIN IMMEDIATE");
+    for (std::size_t row = 0; row < batch.size(); ++row) {
+      const DesignBatch::Row& head = batch.rows()[row];
+      const std::span<const double> values = batch.values(row);
+      const bool done = head.status == DesignStatus::kDone;
+      at_hand = head.id;
+      insert.bind(1, static_cast<std::int64_t>(head.id));
+      insert.bind(2, done ? std::string_view("done") : std::string_view("failed"));
+      if (done) {
+        insert.bindNothing(3);
+      } else {
+        insert.bind(3, std::string_view(batch.messages()[head.message]));
+      }
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const int place = kFirstValue + 1 + static_cast<int>(i);
+        if (done || i < batch.parameters()) {
+          insert.bind(place, values[i] + 0.0);  // -0 + 0 = 0: SQLite keeps no sign of zero, whoever asks it
+        } else {
+          insert.bindNothing(place);
+        }
+      }
+      insert.runOnce();
+    }
+    connection.run("COMMIT");
+  } catch (const SqliteError& error) {
+    // After a full disk SQLite may have rolled back by itself; then there is nothing to undo.
+    if (sqlite3_get_autocommit(connection.get()) == 0) {
+      sqlite3_exec(connection.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+    }
+    if ((error.code & 0xff) == SQLITE_CONSTRAINT) {
+      throw std::invalid_argument(fmt::format("StudyDatabase: design {} is stored already", at_hand));
+    }
+    open_->fail("cannot be written", error, "what was stored before is safe; make room and go on with it");
+  }
+}
+
+void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visit) const {
+  const std::size_t parameters = open_->record.parameters.size();
+  const std::size_t metrics = open_->record.metrics.size();
+  std::vector<double> values(parameters + metrics);
+  try {
+    SqliteStatement rows(*open_->connection, "SELECT * FROM designs ORDER BY id");
+    while (rows.step()) {
+      StoredDesign design;
+      design.id = static_cast<std::uint64_t>(rows.integer(0));
+      design.status = rows.text(1) == "done" ? DesignStatus::kDone : DesignStatus::kFailed;
+      design.message = rows.text(2);
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows.number(kFirstValue + static_cast<int>(i));
+      design.parameters = std::span(values).first(parameters);
+      if (design.status == DesignStatus::kDone) design.metrics = std::span(values).last(metrics);
+      if (!visit(design)) return;
+    }
+  } catch (const SqliteError& error) {
+    open_->fail("cannot be read", error);
+  }
+}
+
+void StudyDatabase::writeCsv(const std::filesystem::path& path) const {
+  AtomicFile file(path);
+  std::string text = "design,status";
+  for (const std::vector<Channel>* list : {&open_->record.parameters, &open_->record.metrics}) {
+    for (const Channel& each : *list) {
+      text += ',';
+      appendField(text, fmt::format("{} [{}]", each.name, each.unit));
+    }
+  }
+  text += ",message\n";
+  constexpr std::size_t kBlock = 1 << 20;
+  const std::size_t metrics = open_->record.metrics.size();
+  forEach([&](const StoredDesign& design) {
+    text += std::to_string(design.id);
+    text += design.status == DesignStatus::kDone ? ",done" : ",failed";
+    for (const double value : design.parameters) {
+      text += ',';
+      appendNumber(text, value);
+    }
+    for (std::size_t i = 0; i < metrics; ++i) {
+      text += ',';
+      if (i < design.metrics.size()) appendNumber(text, design.metrics[i]);
+    }
+    text += ',';
+    appendField(text, design.message);
+    text += '\n';
+    if (text.size() >= kBlock) {
+      file.write(text);
+      text.clear();
+    }
+    return true;
+  });
+  file.write(text);
+  file.publish();
+}
+
+}  // namespace vehicle

@@ -17,7 +17,7 @@ std::vector<std::byte> packBatch(const Batch& batch) {
 
 void unpackBatch(std::span<const std::byte> bytes, std::size_t columns, Batch& batch) {
   Unpacker message(bytes);
-  batch.reset(message.get<DesignRange>(), columns);
+  batch.reset(message.get<DesignSpan>(), columns);
   if (message.get<std::uint64_t>() != batch.values.size()) {
     throw std::runtime_error("ranks see different studies: let every machine read the same files with the same program");
   }
@@ -39,7 +39,7 @@ std::vector<std::byte> packPortion(const Task& task) {
 Portion unpackPortion(std::span<const std::byte> bytes, std::size_t given) {
   Unpacker message(bytes);
   Portion portion;
-  portion.range = message.get<DesignRange>();
+  portion.range = message.get<DesignSpan>();
   portion.given.resize(static_cast<std::size_t>(portion.range.size()) * given);
   message.getAll(std::span<double>(portion.given));
   return portion;

@@ -86,7 +86,7 @@ void unpackBatch(std::span<const std::byte> bytes, std::size_t columns, Batch& b
 
 /// A range to be evaluated, with the numbers that its designs need besides.
 struct Portion {
-  DesignRange range;
+  DesignSpan range;
   std::vector<double> given;
 };
 [[nodiscard]] std::vector<std::byte> packPortion(const Task& task);

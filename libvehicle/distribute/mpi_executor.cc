@@ -27,13 +27,13 @@ class Supply {
   }
   [[nodiscard]] bool empty() const { return range_ == workload_.ranges.size(); }
   Task cut(std::int64_t most) {
-    const DesignRange& whole = workload_.ranges[range_];
-    const DesignRange range{next_, std::min(next_ + most, whole.last)};
+    const DesignSpan& whole = workload_.ranges[range_];
+    const DesignSpan range{next_, std::min(next_ + most, whole.end)};
     const std::size_t numbers = static_cast<std::size_t>(range.size()) * given_;
     const Task task{range, std::span<const double>(workload_.given).subspan(place_, numbers)};
     place_ += numbers;
-    next_ = range.last;
-    if (next_ == whole.last && ++range_ < workload_.ranges.size()) next_ = workload_.ranges[range_].first;
+    next_ = range.end;
+    if (next_ == whole.end && ++range_ < workload_.ranges.size()) next_ = workload_.ranges[range_].first;
     return task;
   }
   void drop() { range_ = workload_.ranges.size(); }

@@ -13,12 +13,12 @@ namespace vehicle {
 // rows of numbers. A row depends on its design alone, never on batch, thread or rank, so a table has the same bits
 // however the work was cut.
 
-/// Consecutive design numbers first .. last-1.
-struct DesignRange {
+/// Consecutive design numbers first .. end-1.
+struct DesignSpan {
   std::int64_t first = 0;
-  std::int64_t last = 0;
-  [[nodiscard]] std::int64_t size() const { return last - first; }
-  bool operator==(const DesignRange&) const = default;
+  std::int64_t end = 0;
+  [[nodiscard]] std::int64_t size() const { return end - first; }
+  bool operator==(const DesignSpan&) const = default;
 };
 
 /// Why a design has no results.
@@ -30,12 +30,12 @@ struct DesignFailure {
 
 /// Results of a range. Storage is kept from batch to batch.
 struct Batch {
-  DesignRange range;
+  DesignSpan range;
   std::vector<double> values;           // (designs x columns), row-major; NaN where there is none
   std::vector<DesignFailure> failures;  // ascending
 
   /// Empties it for a new range: all values NaN, no failures.
-  void reset(DesignRange designs, std::size_t columns);
+  void reset(DesignSpan designs, std::size_t columns);
   /// Row of a design of the range.
   [[nodiscard]] std::span<double> row(std::int64_t design, std::size_t columns) {
     return {values.data() + static_cast<std::size_t>(design - range.first) * columns, columns};
@@ -44,7 +44,7 @@ struct Batch {
 
 /// What is evaluated in one call.
 struct Task {
-  DesignRange range;
+  DesignSpan range;
   /// (designs x given), row-major: numbers that do not follow from a design's own number, as an optimiser chooses
   /// them; empty where a plan tells everything.
   std::span<const double> given;

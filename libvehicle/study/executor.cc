@@ -9,7 +9,7 @@
 
 namespace vehicle {
 
-void Batch::reset(DesignRange designs, std::size_t columns) {
+void Batch::reset(DesignSpan designs, std::size_t columns) {
   range = designs;
   values.assign(static_cast<std::size_t>(designs.size()) * columns, std::numeric_limits<double>::quiet_NaN());
   failures.clear();
@@ -17,18 +17,18 @@ void Batch::reset(DesignRange designs, std::size_t columns) {
 
 std::int64_t Workload::designs() const {
   std::int64_t sum = 0;
-  for (const DesignRange& range : ranges) sum += range.size();
+  for (const DesignSpan& range : ranges) sum += range.size();
   return sum;
 }
 
 void checkWorkload(const Evaluator& evaluator, const Workload& workload) {
   std::int64_t end = std::numeric_limits<std::int64_t>::min();
-  for (const DesignRange& range : workload.ranges) {
-    if (range.first < end || range.last <= range.first) {
+  for (const DesignSpan& range : workload.ranges) {
+    if (range.first < end || range.end <= range.first) {
       throw std::invalid_argument("workload: the range " + std::to_string(range.first) + " .. " +
-                                  std::to_string(range.last) + " must not be empty and must follow the one before");
+                                  std::to_string(range.end) + " must not be empty and must follow the one before");
     }
-    end = range.last;
+    end = range.end;
   }
   const std::size_t wanted = static_cast<std::size_t>(workload.designs()) * evaluator.given();
   if (workload.given.size() != wanted) {

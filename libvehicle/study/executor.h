@@ -12,7 +12,7 @@ namespace vehicle {
 
 /// Designs to be evaluated.
 struct Workload {
-  std::vector<DesignRange> ranges;  // ascending, disjoint, none empty
+  std::vector<DesignSpan> ranges;  // ascending, disjoint, none empty
   std::vector<double> given;        // (designs of all ranges x evaluator.given()), row-major
 
   [[nodiscard]] std::int64_t designs() const;

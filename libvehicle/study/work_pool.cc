@@ -25,9 +25,9 @@ WorkPool::~WorkPool() {
   threads_.clear();
 }
 
-void WorkPool::add(std::span<const DesignRange> ranges, std::span<const double> given) {
+void WorkPool::add(std::span<const DesignSpan> ranges, std::span<const double> given) {
   std::int64_t total = 0;
-  for (const DesignRange& range : ranges) total += range.size();
+  for (const DesignSpan& range : ranges) total += range.size();
   if (total == 0) return;
   {
     // Counted before it can be claimed.
@@ -39,7 +39,7 @@ void WorkPool::add(std::span<const DesignRange> ranges, std::span<const double> 
   const auto threads = static_cast<std::int64_t>(shares_.size());
   std::int64_t dealt = 0;
   std::size_t owner = 0;
-  for (const DesignRange& range : ranges) {
+  for (const DesignSpan& range : ranges) {
     Piece rest{range, given.subspan(static_cast<std::size_t>(dealt) * given_,
                                     static_cast<std::size_t>(range.size()) * given_)};
     while (rest.range.size() > 0) {

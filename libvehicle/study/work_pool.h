@@ -34,7 +34,7 @@ class WorkPool {
 
   /// Shares the ranges out, equal numbers of designs to each thread, neighbours together.
   /// @param given  as in Workload; stays valid until its designs were taken
-  void add(std::span<const DesignRange> ranges, std::span<const double> given);
+  void add(std::span<const DesignSpan> ranges, std::span<const double> given);
 
   /// The next finished batch; nothing if none is there within `wait`, or at once if no work is left.
   /// @throws what a worker has thrown, after all that was finished has been taken
@@ -51,7 +51,7 @@ class WorkPool {
 
  private:
   struct Piece {
-    DesignRange range;
+    DesignSpan range;
     std::span<const double> given;
   };
   // A cache line of its own: threads at work on their own deques do not meet.

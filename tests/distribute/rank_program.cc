@@ -30,8 +30,8 @@ constexpr std::size_t kColumns = 4;
 Workload wholeWorkload() {
   Workload workload;
   workload.ranges = {{0, 5000}, {6000, 6001}, {10'000, 30'000}};
-  for (const DesignRange& range : workload.ranges) {
-    for (std::int64_t i = range.first; i < range.last; ++i) workload.given.push_back(std::sqrt(static_cast<double>(i)));
+  for (const DesignSpan& range : workload.ranges) {
+    for (std::int64_t i = range.first; i < range.end; ++i) workload.given.push_back(std::sqrt(static_cast<double>(i)));
   }
   return workload;
 }
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
   std::map<std::int64_t, std::vector<double>> rows;
   int repeated = 0;
   const Sink sink = [&](Batch& batch) {
-    for (std::int64_t design = batch.range.first; design < batch.range.last; ++design) {
+    for (std::int64_t design = batch.range.first; design < batch.range.end; ++design) {
       const std::span<double> row = batch.row(design, kColumns);
       repeated += rows.emplace(design, std::vector<double>(row.begin(), row.end())).second ? 0 : 1;
     }

@@ -32,7 +32,7 @@ class FunctionEvaluator : public Evaluator {
   struct FunctionWorker : Worker {
     explicit FunctionWorker(const FunctionEvaluator& owner) : evaluator(owner) {}
     void evaluate(const Task& task, Batch& batch) override {
-      for (std::int64_t design = task.range.first; design < task.range.last; ++design) {
+      for (std::int64_t design = task.range.first; design < task.range.end; ++design) {
         const auto place = static_cast<std::size_t>(design - task.range.first) * evaluator.given_;
         const std::span<double> row = batch.row(design, evaluator.columns_);
         try {

@@ -27,7 +27,7 @@ struct Table {
 
   Sink sink(std::size_t columns) {
     return [this, columns](Batch& batch) {
-      for (std::int64_t design = batch.range.first; design < batch.range.last; ++design) {
+      for (std::int64_t design = batch.range.first; design < batch.range.end; ++design) {
         std::vector<std::uint64_t> bits;
         for (const double value : batch.row(design, columns)) bits.push_back(std::bit_cast<std::uint64_t>(value));
         repeated += rows.emplace(design, bits).second ? 0 : 1;
@@ -75,8 +75,8 @@ TEST(ThreadExecutor, GivenNumbersFollowTheirDesigns) {
       2);
   Workload workload;
   workload.ranges = {{5, 50}, {80, 100}};
-  for (const DesignRange& range : workload.ranges) {
-    for (std::int64_t i = range.first; i < range.last; ++i) {
+  for (const DesignSpan& range : workload.ranges) {
+    for (std::int64_t i = range.first; i < range.end; ++i) {
       workload.given.push_back(static_cast<double>(i));
       workload.given.push_back(-static_cast<double>(i));
     }
@@ -212,7 +212,7 @@ TEST(WorkPool, GoesOnWithWorkThatIsAddedLater) {
   WorkPool pool(evaluator, 2);
   std::int64_t taken = 0;
   for (int round = 0; round < 200; ++round) {
-    const std::vector<DesignRange> ranges = {{10 * round, 10 * round + 10}};
+    const std::vector<DesignSpan> ranges = {{10 * round, 10 * round + 10}};
     pool.add(ranges, {});
     while (pool.outstanding() > 0) {
       if (auto batch = pool.take(1s)) taken += batch->range.size();
@@ -228,13 +228,13 @@ TEST(WorkPool, AbandonedWorkLeavesThePoolUsable) {
   });
   WorkPool pool(evaluator, 3);
   for (int round = 0; round < 5; ++round) {
-    const std::vector<DesignRange> many = {{0, 1'000'000'000}};
+    const std::vector<DesignSpan> many = {{0, 1'000'000'000}};
     pool.add(many, {});
     while (!pool.take(1s)) continue;
     pool.abandon();
     while (pool.outstanding() > 0) pool.take(1s);
   }
-  const std::vector<DesignRange> few = {{0, 20}};
+  const std::vector<DesignSpan> few = {{0, 20}};
   pool.add(few, {});
   std::int64_t taken = 0;
   while (pool.outstanding() > 0) {

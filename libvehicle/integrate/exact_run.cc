@@ -1,155 +1,26 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
+#include "libvehicle/integrate/exact_run.h"
+
 #include <optional>
 #include <stdexcept>
 
-#include "libvehicle/integrate/exact.h"
 #include "libvehicle/integrate/failure.h"
-#include "libvehicle/integrate/run.h"
 
 namespace vehicle {
 namespace {
 
 constexpr const char* kName = "exact";
-constexpr int kReseed = 64;  // steps of an oscillator by rotation
 
-// Two lengths that differ by less share a propagator; what is missing is made good by first order (see catchUp).
-constexpr double kSameLength = 1e-9;
-constexpr std::size_t kMostKept = 256;
-
-// A whole run. Propagators of a segment with harmonics live as long as the segment; without harmonics they and the
-// polynomial gains know nothing of the segment and are kept, so that thousands of stored samples share one.
-class ExactRun {
- public:
-  ExactRun(StateSpace matrices, const Input& input, const Schedule& schedule, std::span<const double> x0)
-      : matrices_(std::move(matrices)),
-        input_(input),
-        schedule_(schedule),
-        x_(Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()))),
-        u_(2 * input.channels()),
-        slope_(x_.size()) {}
-
-  Statistics run(const Observer& observe) {
-    const Stretch& first = schedule_.stretches().front();
-    statistics_.stopped = !observe(0, first.segment, first.begin, state());
-    for (const Stretch& stretch : schedule_.stretches()) {
-      if (statistics_.stopped) break;
-      move(stretch);
-      requireFinite(kName, stretch.end, state());
-      if (stretch.sample >= 0) statistics_.stopped = !observe(stretch.sample, stretch.next, stretch.end, state());
-    }
-    return statistics_;
+struct AllRows {
+  void move(ExactPropagator& propagator, const PolynomialGain* gain, const InputSegment& segment, double s,
+            double* oscillators, Eigen::VectorXd& x) {
+    propagator.propagate(x.data(), oscillators);
+    if (gain != nullptr) gain->add(segment, s, x.data());
   }
-
- private:
-  void move(const Stretch& stretch) {
-    const InputSegment& segment = input_.segment(stretch.segment);
-    if (stretch.segment != segment_) enter(stretch.segment);
-    const double length = stretch.end - stretch.begin;
-    ExactPropagator& propagator = propagatorFor(length);
-    if (&propagator != seeded_ || turns_ == kReseed) {
-      propagator.seed(stretch.begin - segment.begin, oscillators_.data());
-      seeded_ = &propagator;
-      turns_ = 0;
-    }
-    propagator.propagate(x_.data(), oscillators_.data());
-    ++turns_;
-    if (polynomial_) gainFor(propagator.length()).add(segment, stretch.begin - segment.begin, x_.data());
-    ++statistics_.steps;
-    lag_ += length - propagator.length();
-    catchUp(stretch);
-  }
-
-  void enter(int index) {
-    segment_ = index;
-    const InputSegment& segment = input_.segment(index);
-    harmonic_ = !segment.angular_frequency.empty();
-    polynomial_ = std::any_of(segment.polynomial.begin(), segment.polynomial.end(), [](double p) { return p != 0.0; });
-    of_segment_.clear();
-    seeded_ = nullptr;
-    forcing_ = harmonicForcing(matrices_, segment);
-    oscillators_.resize(2 * segment.angular_frequency.size());
-  }
-
-  // Lengths come as differences of instants and carry the rounding of the clock. A propagator is made for the exact
-  // output step where that is meant, else for the first length met. The difference would add up to a clock that
-  // runs late, which the fastest mode would see at once: x moves on by it, to first order, before it matters.
-  void catchUp(const Stretch& stretch) {
-    if (std::abs(lag_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(stretch.end)) return;
-    input_.evaluate(stretch.segment, stretch.end, {u_.data(), static_cast<std::size_t>(u_.size())});
-    slope_.noalias() = matrices_.A * x_;
-    slope_.noalias() += matrices_.B * u_;
-    x_ += lag_ * slope_;
-    lag_ = 0.0;
-    seeded_ = nullptr;
-  }
-
-  double meantLength(double length) const {
-    const double step = schedule_.outputStep();
-    return std::abs(length - step) <= kSameLength * step ? step : length;
-  }
-
-  ExactPropagator& propagatorFor(double length) {
-    auto& known = harmonic_ ? of_segment_ : free_;
-    for (const auto& propagator : known) {
-      if (std::abs(propagator->length() - length) <= kSameLength * length) return *propagator;
-    }
-    makeRoom(known);
-    const std::vector<double>& w = input_.segment(segment_).angular_frequency;
-    known.push_back(std::make_unique<ExactPropagator>(matrices_.A, forcing_, w, meantLength(length)));
-    statistics_.evaluations += known.back()->exponentials();
-    return *known.back();
-  }
-
-  // Stored samples and output samples without a common step: every length is new, and the oldest goes.
-  template <class List>
-  void makeRoom(List& list) {
-    if (list.size() < kMostKept) return;
-    list.erase(list.begin());
-    seeded_ = nullptr;
-  }
-
-  const PolynomialGain& gainFor(double length) {
-    for (const auto& gain : gains_) {
-      if (gain->length() == length) return *gain;
-    }
-    makeRoom(gains_);
-    gains_.push_back(std::make_unique<PolynomialGain>(matrices_, length));
-    ++statistics_.evaluations;
-    return *gains_.back();
-  }
-
-  std::span<const double> state() const { return {x_.data(), static_cast<std::size_t>(x_.size())}; }
-
-  StateSpace matrices_;
-  const Input& input_;
-  const Schedule& schedule_;
-  Eigen::VectorXd x_;
-  Eigen::VectorXd u_;
-  Eigen::VectorXd slope_;
-  Statistics statistics_;
-  double lag_ = 0.0;  // [s] by which x_ is behind the clock
-
-  int segment_ = -1;
-  bool harmonic_ = false;
-  bool polynomial_ = false;
-  Eigen::MatrixXd forcing_;
-  std::vector<double> oscillators_;
-  const ExactPropagator* seeded_ = nullptr;  // the one that turns the oscillators now
-  int turns_ = 0;
-
-  // By pointer: seeded_ and callers keep looking at one while its list grows.
-  std::vector<std::unique_ptr<ExactPropagator>> of_segment_;
-  std::vector<std::unique_ptr<ExactPropagator>> free_;
-  std::vector<std::unique_ptr<PolynomialGain>> gains_;
 };
 
 }  // namespace
 
-Statistics runExact(const System& system, const Input& input, const Schedule& schedule, std::span<const double> x0,
-                    const Observer& observe) {
+StateSpace matricesForExact(const System& system, const Input& input, std::span<const double> x0) {
   checkChannels(kName, system.channels(), input.channels());
   checkStart(kName, x0, system.size());
   std::optional<StateSpace> matrices = system.linear();
@@ -158,7 +29,22 @@ Statistics runExact(const System& system, const Input& input, const Schedule& sc
         "exact: the system is nonlinear (it has no matrices A, B); exact propagation needs a linear one, take rk4 or "
         "dopri5");
   }
-  return ExactRun(std::move(*matrices), input, schedule, x0).run(observe);
+  return std::move(*matrices);
+}
+
+Statistics runExact(const System& system, const Input& input, const Schedule& schedule, std::span<const double> x0,
+                    const Observer& observe) {
+  ExactRun run(matricesForExact(system, input, x0), input, schedule, x0, AllRows{});
+  const Stretch& first = schedule.stretches().front();
+  if (!observe(0, first.segment, first.begin, run.state())) return {.stopped = true};
+  bool stopped = false;
+  Statistics statistics = run.run([&](const Stretch& stretch, std::span<const double> x) {
+    requireFinite(kName, stretch.end, x);
+    if (stretch.sample >= 0) stopped = !observe(stretch.sample, stretch.next, stretch.end, x);
+    return !stopped;
+  });
+  statistics.stopped = stopped;
+  return statistics;
 }
 
 }  // namespace vehicle

@@ -1,0 +1,159 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "libvehicle/integrate/exact.h"
+#include "libvehicle/integrate/run.h"
+
+namespace vehicle {
+
+/// A whole run of exact propagation, apart from who computes which row.
+///
+/// Propagators of a segment with harmonics live as long as the segment; without harmonics they and the polynomial gains
+/// know nothing of the segment and are kept, so that thousands of stored samples share one.
+///
+/// @tparam Mover  move(ExactPropagator&, const PolynomialGain* or nullptr, const InputSegment&, double s,
+///                double* oscillators, Eigen::VectorXd& x): x and oscillators from s to s + h
+template <class Mover>
+class ExactRun {
+ public:
+  ExactRun(StateSpace matrices, const Input& input, const Schedule& schedule, std::span<const double> x0,
+           Mover mover)
+      : mover_(std::move(mover)),
+        matrices_(std::move(matrices)),
+        input_(input),
+        schedule_(schedule),
+        x_(Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()))),
+        u_(2 * input.channels()),
+        slope_(x_.size()) {}
+
+  /// @param arrive  arrive(const Stretch&, std::span<const double> x) at the end of every stretch; false ends the run
+  template <class Arrive>
+  Statistics run(Arrive arrive) {
+    for (const Stretch& stretch : schedule_.stretches()) {
+      move(stretch);
+      if (!arrive(stretch, state())) break;
+    }
+    return statistics_;
+  }
+
+  [[nodiscard]] std::span<const double> state() const { return {x_.data(), static_cast<std::size_t>(x_.size())}; }
+
+ private:
+  void move(const Stretch& stretch) {
+    const InputSegment& segment = input_.segment(stretch.segment);
+    if (stretch.segment != segment_) enter(stretch.segment);
+    const double length = stretch.end - stretch.begin;
+    ExactPropagator& propagator = propagatorFor(length);
+    if (&propagator != seeded_ || turns_ == kReseed) {
+      propagator.seed(stretch.begin - segment.begin, oscillators_.data());
+      seeded_ = &propagator;
+      turns_ = 0;
+    }
+    const PolynomialGain* gain = polynomial_ ? &gainFor(propagator.length()) : nullptr;
+    mover_.move(propagator, gain, segment, stretch.begin - segment.begin, oscillators_.data(), x_);
+    ++turns_;
+    ++statistics_.steps;
+    lag_ += length - propagator.length();
+    catchUp(stretch);
+  }
+
+  void enter(int index) {
+    segment_ = index;
+    const InputSegment& segment = input_.segment(index);
+    harmonic_ = !segment.angular_frequency.empty();
+    polynomial_ = std::any_of(segment.polynomial.begin(), segment.polynomial.end(), [](double p) { return p != 0.0; });
+    of_segment_.clear();
+    seeded_ = nullptr;
+    forcing_ = harmonicForcing(matrices_, segment);
+    oscillators_.resize(2 * segment.angular_frequency.size());
+  }
+
+  // Lengths come as differences of instants and carry the rounding of the clock. A propagator is made for the exact
+  // output step where that is meant, else for the first length met. The difference would add up to a clock that
+  // runs late, which the fastest mode would see at once: x moves on by it, to first order, before it matters.
+  void catchUp(const Stretch& stretch) {
+    if (std::abs(lag_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(stretch.end)) return;
+    input_.evaluate(stretch.segment, stretch.end, {u_.data(), static_cast<std::size_t>(u_.size())});
+    slope_.noalias() = matrices_.A * x_;
+    slope_.noalias() += matrices_.B * u_;
+    x_ += lag_ * slope_;
+    lag_ = 0.0;
+    seeded_ = nullptr;
+  }
+
+  double meantLength(double length) const {
+    const double step = schedule_.outputStep();
+    return std::abs(length - step) <= kSameLength * step ? step : length;
+  }
+
+  ExactPropagator& propagatorFor(double length) {
+    auto& known = harmonic_ ? of_segment_ : free_;
+    for (const auto& propagator : known) {
+      if (std::abs(propagator->length() - length) <= kSameLength * length) return *propagator;
+    }
+    makeRoom(known);
+    const std::vector<double>& w = input_.segment(segment_).angular_frequency;
+    known.push_back(std::make_unique<ExactPropagator>(matrices_.A, forcing_, w, meantLength(length)));
+    statistics_.evaluations += known.back()->exponentials();
+    return *known.back();
+  }
+
+  // Stored samples and output samples without a common step: every length is new, and the oldest goes.
+  template <class List>
+  void makeRoom(List& list) {
+    if (list.size() < kMostKept) return;
+    list.erase(list.begin());
+    seeded_ = nullptr;
+  }
+
+  const PolynomialGain& gainFor(double length) {
+    for (const auto& gain : gains_) {
+      if (gain->length() == length) return *gain;
+    }
+    makeRoom(gains_);
+    gains_.push_back(std::make_unique<PolynomialGain>(matrices_, length));
+    ++statistics_.evaluations;
+    return *gains_.back();
+  }
+
+  static constexpr int kReseed = 64;  // steps of an oscillator by rotation
+  // Two lengths that differ by less share a propagator; what is missing is made good by first order (see catchUp).
+  static constexpr double kSameLength = 1e-9;
+  static constexpr std::size_t kMostKept = 256;
+
+  Mover mover_;
+  StateSpace matrices_;
+  const Input& input_;
+  const Schedule& schedule_;
+  Eigen::VectorXd x_;
+  Eigen::VectorXd u_;
+  Eigen::VectorXd slope_;
+  Statistics statistics_;
+  double lag_ = 0.0;  // [s] by which x_ is behind the clock
+
+  int segment_ = -1;
+  bool harmonic_ = false;
+  bool polynomial_ = false;
+  Eigen::MatrixXd forcing_;
+  std::vector<double> oscillators_;
+  const ExactPropagator* seeded_ = nullptr;  // the one that turns the oscillators now
+  int turns_ = 0;
+
+  // By pointer: seeded_ and callers keep looking at one while its list grows.
+  std::vector<std::unique_ptr<ExactPropagator>> of_segment_;
+  std::vector<std::unique_ptr<ExactPropagator>> free_;
+  std::vector<std::unique_ptr<PolynomialGain>> gains_;
+};
+
+/// A, B of a system for the exact method, after the checks that every exact run begins with.
+/// @throws std::invalid_argument for an input or a start that does not fit, or a system without matrices
+[[nodiscard]] StateSpace matricesForExact(const System& system, const Input& input, std::span<const double> x0);
+
+}  // namespace vehicle

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+
+#include "libvehicle/integrate/fixed_step_run.h"
+
+namespace vehicle {
+
+/// Steps first .. last-1 of a grid that begins at `begin`; their input is wound as one.
+struct StepBlock {
+  int segment = 0;     // of the input
+  double begin = 0.0;  // [s] of the grid
+  double h = 0.0;      // [s]
+  int first = 0;       // a multiple of Input::kBlock / 2
+  int last = 0;
+
+  /// The clock of the rows t, t + h/2, t + h of its steps: step k reads the samples 2 k, 2 k + 1, 2 k + 2.
+  void wind(const Input& input, SweepClock& clock) const {
+    input.wind(segment, begin, 0.5 * h, 2 * first, 2 * (last - first) + 1, clock);
+  }
+};
+
+/// Where a run looks at its state: at the ends of stretches and of every kStepsPerBlock steps of a grid.
+struct StepPause {
+  double reached = 0.0;  // [s] by the clock of the grid, named where the state is no longer finite
+  int sample = -1;       // number of the output sample here, or -1
+  int segment = 0;       // that begins here, where there is a sample
+  double end = 0.0;      // [s] of the stretch, where there is a sample
+  long steps = 0;        // done since the run began
+};
+
+/// Leads a thread through all steps of a run: the grids, pauses and samples of runFixedStep(), so that every thread
+/// of a team walks the same way without a word between them.
+///
+/// @param block  steps wound at a time: kStepsPerBlock or a part of it that is a multiple of Input::kBlock / 2
+/// @param enter  enter(const StepBlock&) before the first step of a block
+/// @param move   move(double h, int k): step k of the block, 0 <= k < last - first
+/// @param pause  pause(const StepPause&): false ends the walk
+/// @return  false if a pause ended it
+/// @throws std::invalid_argument for a wrong step (stepsOf)
+template <class Enter, class Move, class Pause>
+bool walkSteps(const Schedule& schedule, FixedStep step, int block, Enter enter, Move move, Pause pause) {
+  const std::vector<Stretch>& stretches = schedule.stretches();
+  long steps = 0;
+  for (std::size_t first = 0; first < stretches.size();) {
+    const StepGrid grid = stepGridAt(schedule, first, step);
+    const Stretch* stretch = &stretches[first];
+    const double begin = stretch->begin;
+    const int total = grid.steps * static_cast<int>(grid.count);
+    int left = grid.steps;  // of this stretch
+    for (int done = 0; done < total;) {
+      const StepBlock now{stretch->segment, begin, grid.h, done, std::min(done + block, total)};
+      enter(now);
+      while (done < now.last) {
+        const int stop = std::min(now.last, done + left);
+        steps += stop - done;
+        left -= stop - done;
+        for (; done < stop; ++done) move(grid.h, done - now.first);
+        if (left > 0 && done % kStepsPerBlock != 0) continue;
+        StepPause here{.reached = begin + done * grid.h, .steps = steps};
+        if (left == 0) {
+          here.sample = stretch->sample;
+          here.segment = stretch->next;
+          here.end = stretch->end;
+          ++stretch;
+          left = grid.steps;
+        }
+        if (!pause(here)) return false;
+      }
+    }
+    first += grid.count;
+  }
+  return true;
+}
+
+}  // namespace vehicle

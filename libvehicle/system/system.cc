@@ -3,8 +3,16 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace vehicle {
+
+void requireDense(const char* who, int states) {
+  if (states <= kMostDenseStates) return;
+  throw std::invalid_argument(std::string(who) + ": matrices of " + std::to_string(states) +
+                              " states are not made, only up to " + std::to_string(kMostDenseStates) +
+                              "; integrate by rk4 or dopri5, which need none");
+}
 
 StateSpace differencedStateSpace(const System& system, std::span<const double> x0, std::span<const double> u0,
                                  double scale) {

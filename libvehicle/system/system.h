@@ -38,11 +38,18 @@ class System {
   virtual void output(std::span<const double> x, std::span<const double> u, std::span<double> y) const = 0;
 
   /// The matrices of a linear, time-invariant system; nothing for a nonlinear one.
+  /// @throws std::invalid_argument beyond kMostDenseStates
   [[nodiscard]] virtual std::optional<StateSpace> linear() const { return std::nullopt; }
 
   /// f(x, u) cut into equations that threads may share; nullptr where it cannot be cut. It lives as long as the system.
   [[nodiscard]] virtual const EquationSet* equations() const { return nullptr; }
 };
+
+/// Most states whose matrices are made: beyond, each takes gigabytes and what is done with them hours.
+inline constexpr int kMostDenseStates = 2000;
+/// @param who  e.g. "flat"
+/// @throws std::invalid_argument if there are more states than kMostDenseStates, naming the way out
+void requireDense(const char* who, int states);
 
 /// A and B of any system about (x0, u0) by central differences, one column a perturbation.
 /// @param scale  size of the perturbation relative to the unit scales (1 m, 1 rad, 1 m/s, 1 rad/s); for a

@@ -1,0 +1,186 @@
+#include "libvehicle/flat/flat_train_layout.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace vehicle {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Bodies that stand on other bodies and on no wheelset.
+std::vector<char> carbodiesOf(const Topology& topology) {
+  std::vector<char> on_bodies(topology.bodies.size(), 0);
+  std::vector<char> on_wheels(topology.bodies.size(), 0);
+  for (const TopologySuspension& each : topology.suspensions) {
+    if (each.lower_body < 0) on_wheels[at(each.upper)] = 1;
+  }
+  for (const TopologySuspension& each : topology.suspensions) {
+    if (each.lower_body >= 0 && on_wheels[at(each.lower_body)] != 0) on_bodies[at(each.upper)] = 1;
+  }
+  for (std::size_t b = 0; b < on_bodies.size(); ++b) on_bodies[b] = on_bodies[b] != 0 && on_wheels[b] == 0 ? 1 : 0;
+  return on_bodies;
+}
+
+std::vector<char> couplingsOf(const Topology& topology) {
+  const std::vector<char> carbodies = carbodiesOf(topology);
+  std::vector<char> couplings;
+  for (const TopologySuspension& each : topology.suspensions) {
+    const bool joins = each.lower_body >= 0 && carbodies[at(each.upper)] != 0 && carbodies[at(each.lower_body)] != 0;
+    couplings.push_back(joins ? 1 : 0);
+  }
+  return couplings;
+}
+
+/// What holds together: each body and wheelset knows the first of its lot.
+class Lots {
+ public:
+  explicit Lots(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t of(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) {
+    const std::size_t first = std::min(of(a), of(b));
+    parent_[of(a)] = parent_[of(b)] = first;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// The vehicle of a part, as far as its problems are told by it.
+Vehicle vehicleOf(const Vehicle& whole, const TopologyPart& part) {
+  Vehicle made;
+  made.name = whole.name;
+  made.origin = whole.origin;
+  for (const int b : part.bodies) made.bodies.push_back(whole.bodies[at(b)]);
+  for (const int j : part.wheelsets) made.wheelsets.push_back(whole.wheelsets[at(j)]);
+  for (const int s : part.suspensions) made.suspensions.push_back(whole.suspensions[at(s)]);
+  return made;
+}
+
+FlatLayout inWhole(FlatLayout layout, const TopologyPart& part) {
+  layout.carbody = part.bodies[at(layout.carbody)];
+  for (int& each : layout.bogie) each = part.bodies[at(each)];
+  for (int& each : layout.secondary) each = part.suspensions[at(each)];
+  for (int& each : layout.primary) each = part.suspensions[at(each)];
+  for (int& each : layout.wheelset) each = part.wheelsets[at(each)];
+  return layout;
+}
+
+void readCouplings(const Vehicle& vehicle, const Topology& topology, FlatTrainReading& reading) {
+  FlatTrainLayout& layout = reading.layout;
+  std::map<int, std::size_t> place_of;  // of each carbody along the train
+  for (std::size_t v = 0; v < layout.vehicles.size(); ++v) place_of.emplace(layout.vehicles[v].layout.carbody, v);
+  layout.couplings.assign(layout.vehicles.empty() ? 0 : layout.vehicles.size() - 1, -1);
+  const std::vector<char> couplings = couplingsOf(topology);
+  for (std::size_t s = 0; s < couplings.size(); ++s) {
+    if (couplings[s] == 0) continue;
+    const TopologySuspension& coupling = topology.suspensions[s];
+    const auto misfit = [&](std::string message) {
+      reading.problems.add({vehicle.suspensions[s].origin, fmt::format("<suspension name=\"{}\">", coupling.name),
+                            std::move(message), "use the form matrix"});
+    };
+    const auto [ahead, behind] = std::minmax(place_of.at(coupling.upper), place_of.at(coupling.lower_body));
+    if (behind != ahead + 1) {
+      misfit(fmt::format("joins \"{}\" to \"{}\", which do not follow each other; the flat form's vehicles are coupled "
+                         "to their neighbours",
+                         topology.bodies[at(coupling.upper)].name, topology.bodies[at(coupling.lower_body)].name));
+    } else if (layout.couplings[ahead] >= 0) {
+      misfit(fmt::format("stands beside \"{}\" between the same vehicles; the flat form has one coupling there",
+                         topology.suspensions[at(layout.couplings[ahead])].name));
+    } else {
+      layout.couplings[ahead] = static_cast<int>(s);
+    }
+  }
+}
+
+}  // namespace
+
+bool isTrain(const Vehicle& vehicle, const Topology& topology) {
+  if (vehicle.units.size() > 1) return true;
+  const std::vector<char> couplings = couplingsOf(topology);
+  return std::find(couplings.begin(), couplings.end(), 1) != couplings.end();
+}
+
+std::vector<TopologyPart> partsOfTrain(const Topology& topology) {
+  const std::size_t bodies = topology.bodies.size();
+  const std::vector<char> couplings = couplingsOf(topology);
+  Lots lots(bodies + topology.wheelsets.size());
+  const auto lowerOf = [&](const TopologySuspension& each) {
+    return each.lower_body >= 0 ? at(each.lower_body) : bodies + at(each.lower_wheelset);
+  };
+  for (std::size_t s = 0; s < couplings.size(); ++s) {
+    const TopologySuspension& each = topology.suspensions[s];
+    if (couplings[s] == 0) lots.join(at(each.upper), lowerOf(each));
+  }
+  std::vector<TopologyPart> parts;
+  std::map<std::size_t, std::size_t> part_of_lot;
+  std::vector<int> inner(bodies + topology.wheelsets.size());  // index in its part
+  const auto partOf = [&](std::size_t member) -> TopologyPart& {
+    const auto [found, fresh] = part_of_lot.try_emplace(lots.of(member), parts.size());
+    if (fresh) parts.emplace_back().topology.has_heights = topology.has_heights;
+    return parts[found->second];
+  };
+  const auto count = [](int& index, Topology& in) {
+    if (index >= 0) index = in.coordinates++;
+  };
+  for (std::size_t b = 0; b < bodies; ++b) {
+    TopologyPart& part = partOf(b);
+    inner[b] = static_cast<int>(part.bodies.size());
+    part.bodies.push_back(static_cast<int>(b));
+    TopologyBody body = topology.bodies[b];
+    count(body.z_index, part.topology);
+    count(body.pitch_index, part.topology);
+    part.topology.bodies.push_back(std::move(body));
+  }
+  for (std::size_t j = 0; j < topology.wheelsets.size(); ++j) {
+    TopologyPart& part = partOf(bodies + j);
+    inner[bodies + j] = static_cast<int>(part.wheelsets.size());
+    part.wheelsets.push_back(static_cast<int>(j));
+    TopologyWheelset wheelset = topology.wheelsets[j];
+    count(wheelset.z_index, part.topology);
+    part.topology.wheelsets.push_back(std::move(wheelset));
+  }
+  for (std::size_t s = 0; s < couplings.size(); ++s) {
+    if (couplings[s] != 0) continue;
+    TopologySuspension suspension = topology.suspensions[s];
+    TopologyPart& part = partOf(at(suspension.upper));
+    part.suspensions.push_back(static_cast<int>(s));
+    const int lower = inner[lowerOf(suspension)];
+    suspension.upper = inner[at(suspension.upper)];
+    (suspension.lower_body >= 0 ? suspension.lower_body : suspension.lower_wheelset) = lower;
+    part.topology.suspensions.push_back(std::move(suspension));
+  }
+  return parts;
+}
+
+FlatTrainReading readTrainLayout(const Vehicle& vehicle, const Topology& topology) {
+  FlatTrainReading reading;
+  std::set<std::pair<std::string, int>> told;
+  for (TopologyPart& part : partsOfTrain(topology)) {
+    const FlatReading read = readLayout(vehicleOf(vehicle, part), part.topology);
+    if (read.problems.empty()) {
+      reading.layout.vehicles.push_back({inWhole(read.layout, part), std::move(part.topology), read.layout});
+      continue;
+    }
+    const Place& first = read.problems[0].place;
+    if (first.line == 0 || told.emplace(first.file, first.line).second) reading.problems.append(read.problems);
+  }
+  if (!reading.problems.empty()) return reading;
+  std::stable_sort(reading.layout.vehicles.begin(), reading.layout.vehicles.end(),
+                   [&](const FlatTrainVehicle& a, const FlatTrainVehicle& b) {
+                     return topology.bodies[at(a.layout.carbody)].x > topology.bodies[at(b.layout.carbody)].x;
+                   });
+  readCouplings(vehicle, topology, reading);
+  return reading;
+}
+
+}  // namespace vehicle

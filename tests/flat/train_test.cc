@@ -214,7 +214,8 @@ std::vector<std::complex<double>> sortedEigenvalues(const Eigen::MatrixXd& A) {
 
 // Two equal symmetric vehicles are a mirror image of each other: a motion is even (equal bounce, opposite pitch) or
 // odd. Even ones leave the coupling unstrained: the modes of the vehicle alone. Odd ones strain it by
-// d = 2 (zk - e phi): the vehicle ahead with a spring of 2 k from its rear end to the ground: written here into the matrix of one vehicle.
+// d = 2 (zk - e phi): the vehicle ahead with a spring of 2 k from its rear end to the ground, written here into the
+// matrix of one vehicle.
 TEST(FlatTrain, OfTwoEqualVehiclesHasEvenAndOddModes) {
   constexpr double kEnd = 8.0, kStiffness = 50e3, kDamping = 20e3;
   const Eigen::MatrixXd one = buildFlatForm(paperVehicle(), kGravity)->linear()->A;

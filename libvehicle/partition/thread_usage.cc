@@ -22,20 +22,27 @@ std::string fileOfThisThread(const char* name) {
   return "/proc/self/task/" + std::to_string(syscall(SYS_gettid)) + "/" + name;
 }
 
-// Run time and run-queue time, both in ns.
-void readSchedstat(ThreadUsage& usage) {
+// The clock counts to the nanosecond; schedstat's own run time stands still between two ticks of the scheduler, which
+// in a run of milliseconds is all of it.
+void readRunTime(ThreadUsage& usage) {
+  timespec used{};
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used) == 0) {
+    usage.running = static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  } else {
+    usage.missing.emplace_back("run time: CLOCK_THREAD_CPUTIME_ID is not available");
+  }
+}
+
+// schedstat: run time, then run-queue time, both in ns.
+void readRunQueueTime(ThreadUsage& usage) {
   std::ifstream file(fileOfThisThread("schedstat"));
   double ran = 0.0;
   double waited = 0.0;
   if (file >> ran >> waited) {
-    usage.running = 1e-9 * ran;
     usage.preempted = 1e-9 * waited;
-    return;
+  } else {
+    usage.missing.emplace_back("preempted time: /proc/self/task/<tid>/schedstat is not available");
   }
-  timespec used{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  usage.running = static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-  usage.missing.emplace_back("preempted time: /proc/self/task/<tid>/schedstat is not available");
 }
 
 // Field 42, delayacct_blkio_ticks. The second field may hold spaces, so fields are counted from its bracket.
@@ -93,9 +100,10 @@ Number difference(Number begin, Number end) {
 ThreadUsage usageOfThisThread() {
   ThreadUsage usage;
   readSwitches(usage);
-  readSchedstat(usage);
+  readRunQueueTime(usage);
   readBlockedTime(usage);
   readMigrations(usage);
+  readRunTime(usage);
   usage.wall = monotonicSeconds();
   return usage;
 }

@@ -7,8 +7,9 @@ namespace vehicle {
 
 /// What the kernel counted for one thread; -1 where it would not tell.
 ///
-/// Sources: getrusage(RUSAGE_THREAD) for the switches, /proc/self/task/<tid>/ schedstat (ran, waited to run), stat
-/// (blocked on a device, field 42) and sched (migrations). A container may hide any of the files.
+/// Sources: CLOCK_THREAD_CPUTIME_ID for the run time, getrusage(RUSAGE_THREAD) for the switches,
+/// /proc/self/task/<tid>/ schedstat (waited to run), stat (blocked on a device, field 42) and sched (migrations). A
+/// container may hide any of the files.
 struct ThreadUsage {
   double wall = -1.0;        // [s] since the usage before was taken
   double running = -1.0;     // [s] on a core

@@ -23,8 +23,10 @@ void requireAtLeastOne(const char* name, int value) {
 
 }  // namespace
 
-ThreadTrace::ThreadTrace(int every, std::size_t spans, bool counts_every_step)
-    : records_(spans), every_(every), counts_every_step_(counts_every_step) {}
+ThreadTrace::ThreadTrace(int every, std::size_t spans, bool counts_every_step, ThreadTrace* before)
+    : records_(before != nullptr ? std::move(before->records_) : std::vector<Record>(spans)),
+      every_(every),
+      counts_every_step_(counts_every_step) {}
 
 void ThreadTrace::openStep(long step) {
   next_ = (step / every_ + 1) * every_;
@@ -45,8 +47,12 @@ Tracer::Tracer(int every, int spans_per_thread) : every_(every), spans_per_threa
 }
 
 void Tracer::prepare(int threads) {
-  threads_.clear();
-  for (int i = 0; i < threads; ++i) threads_.emplace_back(every_, static_cast<std::size_t>(spans_per_thread_), i == 0);
+  // Memory that was touched once stays: a run of a millisecond would spend as long on new pages.
+  std::vector<ThreadTrace> before = std::exchange(threads_, {});
+  for (std::size_t i = 0; i < static_cast<std::size_t>(threads); ++i) {
+    threads_.emplace_back(every_, static_cast<std::size_t>(spans_per_thread_), i == 0,
+                          i < before.size() ? &before[i] : nullptr);
+  }
   begin_ = now();
 }
 

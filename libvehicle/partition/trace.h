@@ -60,7 +60,8 @@ struct Trace {
 /// The recorder of one thread. Only that thread writes it while the team runs.
 class alignas(64) ThreadTrace {
  public:
-  ThreadTrace(int every, std::size_t spans, bool counts_every_step);
+  /// @param before  gives its memory away where there is one
+  ThreadTrace(int every, std::size_t spans, bool counts_every_step, ThreadTrace* before);
 
   void beginStep(long step) {
     if (counts_every_step_ && last_end_ == 0) first_begin_ = last_end_ = stamp();

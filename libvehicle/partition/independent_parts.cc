@@ -24,9 +24,9 @@ constexpr long kRing = 4096;  // samples that one part may be ahead of another
 constexpr long kBatch = 16;
 
 /// States of one part on their way to the observer.
-class SampleRing {
+class PartSamples {
  public:
-  SampleRing(int states, long samples) : states_(static_cast<std::size_t>(states)), samples_(samples) {
+  PartSamples(int states, long samples) : states_(static_cast<std::size_t>(states)), samples_(samples) {
     values_.resize(states_ * static_cast<std::size_t>(samples));
   }
 
@@ -82,7 +82,7 @@ class PartsTeam {
     std::size_t all = 0;
     for (std::size_t p = 0; p < parts.size(); ++p) {
       const bool last_of_member = p + threads_ >= parts.size();
-      rings_.push_back(std::make_unique<SampleRing>(parts[p].states,
+      rings_.push_back(std::make_unique<PartSamples>(parts[p].states,
                                                     isMerging(p)     ? kRing
                                                     : last_of_member ? std::min<long>(kRing, samples)
                                                                      : samples));
@@ -98,7 +98,7 @@ class PartsTeam {
       if (isMerging(p)) {
         merge(p, me);
       } else {
-        SampleRing& ring = *rings_[p];
+        PartSamples& ring = *rings_[p];
         statistics_[p] = parts_[p].run([&](int sample, int, double, std::span<const double> x) {
           ring.put(x, me);
           return me == nullptr || sample % kBatch != 0 || !me->stopped();
@@ -129,7 +129,7 @@ class PartsTeam {
   [[nodiscard]] bool isMerging(std::size_t p) const { return p % threads_ == 0 && p + threads_ >= parts_.size(); }
 
   void merge(std::size_t own, Member* me) {
-    SampleRing& ring = *rings_[own];
+    PartSamples& ring = *rings_[own];
     statistics_[own] = parts_[own].run([&](int sample, int segment, double t, std::span<const double> x) {
       while (sample - shown_ >= kRing && !stopped_) showNext(me);
       ring.put(x, nullptr);
@@ -153,7 +153,7 @@ class PartsTeam {
   }
 
   /// A part that has not reached the next sample, or none.
-  [[nodiscard]] SampleRing* missing(std::size_t* which = nullptr) {
+  [[nodiscard]] PartSamples* missing(std::size_t* which = nullptr) {
     for (std::size_t p = 0; p < rings_.size(); ++p) {
       if (rings_[p]->has(shown_)) continue;
       if (which != nullptr) *which = p;
@@ -165,7 +165,7 @@ class PartsTeam {
   void showNext(Member* me) {
     std::size_t which = 0;
     // Alone, nothing can be missing: the other parts are whole, or requireAll() has thrown.
-    while (SampleRing* late = missing(&which)) {
+    while (PartSamples* late = missing(&which)) {
       me->wait([&] { return late->has(shown_); }, static_cast<int>(which % threads_));
     }
     if (me != nullptr) me->disturb(shown_);
@@ -183,7 +183,7 @@ class PartsTeam {
   const long samples_;
   const Observer& observe_;
   const std::size_t threads_;
-  std::vector<std::unique_ptr<SampleRing>> rings_;
+  std::vector<std::unique_ptr<PartSamples>> rings_;
   std::vector<Statistics> statistics_;  // (parts) each written by its member
 
   // Member 0's alone.

@@ -1,0 +1,289 @@
+#include "libvehicle/storage/study_database.h"
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/storage/csv_text.h"
+#include "tests/storage/studies.h"
+#include "tests/support/test_folder.h"
+
+namespace vehicle {
+namespace {
+
+using test::batchOf;
+using test::hasFailed;
+using test::metricsOfDesign;
+using test::parametersOfDesign;
+using test::smallStudy;
+using test::TestFolder;
+using test::textOf;
+
+/// What a call says when it refuses, without the folder's name.
+std::string refusalOf(const TestFolder& folder, const std::function<void()>& call) {
+  std::string text = "no refusal";
+  try {
+    call();
+  } catch (const std::exception& error) {
+    text = error.what();
+  }
+  const std::string root = folder.path("");
+  for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root)) text.erase(at, root.size());
+  return text;
+}
+
+TEST(StudyDatabase, WhatIsStoredComesBackToTheSameBitsInTheOrderOfIds) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy();
+  {
+    StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+    database.append(batchOf(record, 500, 1000));
+    database.append(batchOf(record, 0, 500));
+  }
+  const StudyDatabase database = StudyDatabase::read(folder.path("study.sqlite"));
+  EXPECT_EQ(database.record(), record);
+  EXPECT_EQ(database.stored(), 1000u);
+  EXPECT_TRUE(database.missing().empty());
+  std::uint64_t next = 0;
+  database.forEach([&](const StoredDesign& design) {
+    EXPECT_EQ(design.id, next);
+    EXPECT_EQ(std::vector<double>(design.parameters.begin(), design.parameters.end()), parametersOfDesign(next));
+    EXPECT_EQ(design.status == DesignStatus::kFailed, hasFailed(next));
+    EXPECT_EQ(std::vector<double>(design.metrics.begin(), design.metrics.end()),
+              hasFailed(next) ? std::vector<double>() : metricsOfDesign(next));
+    EXPECT_EQ(design.message.empty(), !hasFailed(next));
+    ++next;
+    return true;
+  });
+  EXPECT_EQ(next, 1000u);
+}
+
+TEST(StudyDatabase, ExtremeNumbersKeepTheirBitsAndMinusZeroBecomesZero) {
+  using Limits = std::numeric_limits<double>;
+  const TestFolder folder;
+  StudyRecord record = smallStudy(2);
+  record.metrics.resize(4, {"m", ""});
+  for (std::size_t i = 0; i < 4; ++i) record.metrics[i].name = std::string("m").append(std::to_string(i));
+  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+  DesignBatch batch(2, 4);
+  const std::vector<double> extremes = {Limits::max(), -Limits::denorm_min(), 9007199254740993.0, 0.1};
+  batch.add(0, parametersOfDesign(0), extremes);
+  batch.add(1, std::vector<double>{-0.0, 1e300}, std::vector<double>{1.0, 2.0, 3.0, 4.0});
+  database.append(batch);
+  std::vector<double> read;
+  database.forEach([&](const StoredDesign& design) {
+    read.assign(design.metrics.begin(), design.metrics.end());
+    if (design.id == 0) {
+      EXPECT_EQ(read, extremes);
+    } else {
+      EXPECT_FALSE(std::signbit(design.parameters[0]));
+    }
+    return true;
+  });
+  EXPECT_EQ(read.back(), 4.0);
+}
+
+TEST(StudyDatabase, MissingIsTheComplementOfWhatIsStored) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy(100);
+  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+  EXPECT_EQ(database.missing(), (std::vector<DesignRange>{{0, 99}}));
+  database.append(batchOf(record, 10, 20));
+  database.append(batchOf(record, 20, 21));
+  database.append(batchOf(record, 90, 100));
+  EXPECT_EQ(database.missing(), (std::vector<DesignRange>{{0, 9}, {21, 89}}));
+  database.append(batchOf(record, 0, 10));
+  database.append(batchOf(record, 21, 90));
+  EXPECT_TRUE(database.missing().empty());
+  EXPECT_EQ(database.stored(), 100u);
+}
+
+TEST(StudyDatabase, ABatchThatIsRefusedLeavesNothingBehind) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy(100);
+  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+  database.append(batchOf(record, 0, 10));
+  EXPECT_EQ(refusalOf(folder, [&] { database.append(batchOf(record, 5, 20)); }),
+            "StudyDatabase: design 5 is stored already");
+  DesignBatch twice = batchOf(record, 50, 60);
+  test::addDesign(twice, 55);
+  EXPECT_EQ(refusalOf(folder, [&] { database.append(twice); }), "StudyDatabase: design 55 is stored already");
+  DesignBatch nan = batchOf(record, 30, 35);
+  nan.add(36, parametersOfDesign(36), std::vector<double>{1.0, std::nan(""), 2.0});
+  EXPECT_EQ(refusalOf(folder, [&] { database.append(nan); }),
+            "StudyDatabase: design 36: carbody.az.rms @ 120 km/h = nan, must be finite; such a design has failed");
+  EXPECT_EQ(refusalOf(folder, [&] { database.append(batchOf(record, 99, 101)); }),
+            "StudyDatabase: design 100 of a study of 100");
+  EXPECT_EQ(database.stored(), 10u);
+  database.append(batchOf(record, 10, 100));
+  EXPECT_TRUE(database.missing().empty());
+}
+
+TEST(StudyDatabase, OnlyTheSameStudyGoesOnAndEveryChangedLineIsTold) {
+  const TestFolder folder;
+  const std::string path = folder.path("study.sqlite");
+  const StudyRecord record = smallStudy();
+  { StudyDatabase::create(path, record).append(batchOf(record, 0, 10)); }
+  EXPECT_EQ(StudyDatabase::resume(path, record).missing(), (std::vector<DesignRange>{{10, 999}}));
+
+  StudyRecord changed = record;
+  changed.inputs[0].text = "<study>\n  <plan size=\"2000\"/>\n  <more/>\n</study>\n";
+  changed.inputs[1].text = "";
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, changed)); }),
+            "study.xml:2: error: changed since study.sqlite was begun: the line was \"  <plan size=\"1000\"/>\" and is now "
+            "\"  <plan size=\"2000\"/>\"\n"
+            "study.xml:3: error: changed since study.sqlite was begun: the line \"  <more/>\" is new\n"
+            "coach.xml:1: error: changed since study.sqlite was begun: the line \"<vehicle/>\" is gone\n"
+            "study.sqlite: error: holds designs of the study as it was; bring the files back, or write to a new file\n");
+  StudyRecord newer = record;
+  newer.program = "vehicle 0.2.0";
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, newer)); }),
+            "study.sqlite: was begun by vehicle 0.1.0, this is vehicle 0.2.0: their numbers may differ in the last digits; "
+            "go on with that program, or write to a new file");
+  // The names of files may be given from another folder: they are the same files.
+  StudyRecord moved = record;
+  moved.inputs[1].name = "../coach.xml";
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, moved)); }), "no refusal");
+}
+
+TEST(StudyDatabase, AFileThatIsNoStudyIsRefusedAndLeftAlone) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy();
+  const std::string path = folder.file("text.sqlite", std::string(2000, 'x'));
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(path, record)); }),
+            "text.sqlite: exists already; go on with it, remove it, or name another file");
+  for (const auto& open : std::vector<std::function<void()>>{[&] { static_cast<void>(StudyDatabase::resume(path, record)); },
+                                                             [&] { static_cast<void>(StudyDatabase::read(path)); }}) {
+    EXPECT_EQ(refusalOf(folder, open), "text.sqlite: holds no study: it is no SQLite file");
+  }
+  EXPECT_EQ(textOf(path), std::string(2000, 'x'));
+  folder.file("empty.sqlite", "");
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("empty.sqlite"))); }), "empty.sqlite: holds no study");
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("none.sqlite"))); }),
+            "none.sqlite: cannot be opened: there is no such file");
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.root())); }).substr(folder.root().string().size()),
+            ": cannot be opened: it is a folder");
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("no/where.sqlite"), record)); }),
+            "no/where.sqlite: cannot be written: No such file or directory; its folder must exist and be writable");
+}
+
+TEST(StudyDatabase, OneProcessWritesWhileOthersRead) {
+  const TestFolder folder;
+  const std::string path = folder.path("study.sqlite");
+  const StudyRecord record = smallStudy();
+  {
+    StudyDatabase database = StudyDatabase::create(path, record);
+    database.append(batchOf(record, 0, 10));
+    EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, record)); }),
+              "study.sqlite: another process is writing it; wait for its end");
+    const StudyDatabase reader = StudyDatabase::read(path);
+    EXPECT_EQ(reader.stored(), 10u);
+    database.append(batchOf(record, 10, 20));
+    EXPECT_EQ(reader.stored(), 20u);
+    EXPECT_THROW(StudyDatabase::read(path).append(batchOf(record, 20, 30)), std::invalid_argument);
+  }
+  // Closed in order, the study is one file: no log, no lock.
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(StudyDatabase, AStudyOfTooManyColumnsIsRefusedAndTheMostThatFitAreStored) {
+  const TestFolder folder;
+  StudyRecord record = smallStudy(2);
+  record.metrics.clear();
+  for (int i = 0; i < 1996; ++i) record.metrics.push_back({std::string("m").append(std::to_string(i)), "m"});
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("wide.sqlite"), record)); }),
+            "study.xml: error: the study makes 1998 columns (2 parameters, 1996 metrics over all speeds and scenarios), at "
+            "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
+  EXPECT_EQ(folder.entries(), 0u);
+  record.metrics.pop_back();
+  StudyDatabase database = StudyDatabase::create(folder.path("wide.sqlite"), record);
+  database.append(batchOf(record, 0, 2));
+  EXPECT_EQ(database.stored(), 2u);
+}
+
+TEST(StudyDatabase, NamesThatDifferInCaseOrQuotesAreColumnsOfTheirOwn) {
+  const TestFolder folder;
+  StudyRecord record = smallStudy(1);
+  record.parameters = {{"front.mass", "kg"}, {"Front.mass", "kg"}};
+  record.metrics = {{"id", ""}, {"a \"b\"", "m"}, {"FRONT.mass", "kg"}};
+  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+  database.append(batchOf(record, 0, 1));
+  EXPECT_EQ(database.record(), record);
+  record.metrics[1].name = "id";
+  EXPECT_THROW(static_cast<void>(StudyDatabase::create(folder.path("twice.sqlite"), record)), std::invalid_argument);
+}
+
+TEST(StudyDatabase, TheCsvHoldsEveryDesignWithNumbersThatReadBack) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy(5);
+  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+  database.append(batchOf(record, 0, 5));
+  database.writeCsv(folder.path("study.csv"));
+  const std::string text = textOf(folder.path("study.csv"));
+  std::string_view rest = text;
+  EXPECT_EQ(takeLine(rest),
+            "design,status,carbody.mass [kg],primary.stiffness_z [N/m],carbody.az.rms @ 80 km/h [m/s^2],"
+            "carbody.az.rms @ 120 km/h [m/s^2],\"static, load [N]\",message");
+  for (std::uint64_t id = 0; id < 5; ++id) {
+    const auto fields = splitFields(takeLine(rest)).value();
+    ASSERT_EQ(fields.size(), 8u);
+    EXPECT_EQ(fields[0], std::to_string(id));
+    EXPECT_EQ(std::stod(fields[3]), parametersOfDesign(id)[1]);
+    EXPECT_EQ(fields[4].empty(), hasFailed(id));
+    if (!hasFailed(id)) {
+      EXPECT_EQ(std::stod(fields[6]), metricsOfDesign(id)[2]);
+    }
+    EXPECT_EQ(fields[7], hasFailed(id) ? "no steady state at 80 km/h, \"3\"" : "");
+  }
+  EXPECT_TRUE(rest.empty());
+}
+
+/// Runs `work` as a user without special rights: root may write everywhere.
+std::string asOrdinaryUser(const std::function<std::string()>& work) {
+  int ends[2];
+  if (::pipe(ends) != 0) return "no pipe";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (::geteuid() == 0 && ::setuid(kNobody) != 0) ::_exit(2);
+    const std::string said = work();
+    const bool told = ::write(ends[1], said.data(), said.size()) == static_cast<ssize_t>(said.size());
+    ::_exit(told ? 0 : 1);
+  }
+  ::close(ends[1]);
+  std::string said;
+  char block[512];
+  for (ssize_t got = 0; (got = ::read(ends[0], block, sizeof block)) > 0;) said.append(block, static_cast<std::size_t>(got));
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return said;
+}
+
+TEST(StudyDatabase, AFolderThatMayNotBeWrittenIsReadButNotWritten) {
+  const TestFolder folder;
+  const std::string path = folder.path("study?1%.sqlite");
+  const StudyRecord record = smallStudy(10);
+  { StudyDatabase::create(path, record).append(batchOf(record, 0, 10)); }
+  ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
+  ASSERT_EQ(::chmod(folder.root().c_str(), 0555), 0);
+  EXPECT_EQ(asOrdinaryUser([&] { return std::to_string(StudyDatabase::read(path).stored()); }), "10");
+  EXPECT_EQ(asOrdinaryUser([&] { return refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, record)); }); }),
+            "study?1%.sqlite: cannot be written: Permission denied; its folder must exist and be writable");
+  EXPECT_EQ(asOrdinaryUser([&] {
+              return refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("new.sqlite"), record)); });
+            }),
+            "new.sqlite: cannot be written: Permission denied; its folder must exist and be writable");
+  ASSERT_EQ(::chmod(folder.root().c_str(), 0755), 0);
+}
+
+}  // namespace
+}  // namespace vehicle

@@ -38,6 +38,8 @@ constexpr std::string_view kSystemHeaders[] = {"fcntl.h",  "poll.h",   "pthread.
 constexpr std::string_view kOnlyForApps[] = {"CLI11::CLI11", "nlohmann_json::nlohmann_json"};
 // Simbody's headers are C++17 and change with NDEBUG: one source file is compiled for them.
 constexpr std::string_view kSimbodyFile = "libvehicle/mbs/simbody_model.cc";
+// SIMD types are for kernels, which are compiled apart for each instruction set.
+constexpr std::string_view kSimdFile = "libvehicle/ensemble/kernel.inc";
 
 constexpr std::string_view kTopEntries[] = {".ci",        ".clang-format", ".clang-tidy",    ".git",
                                             ".gitignore", "CHANGELOG.md",  "CMakeLists.txt", "CMakePresets.json",
@@ -113,6 +115,10 @@ std::optional<std::string> judgeOwn(const House& house, const std::string& file,
 
 // What is wrong with including a library's or the system's header there.
 std::optional<std::string> judgeLibrary(const House& house, const std::string& file, const std::string& header) {
+  if (header == "experimental/simd") {
+    if (file == kSimdFile) return std::nullopt;
+    return "<" + header + "> belongs in " + std::string(kSimdFile) + " alone";
+  }
   const std::string library(libraryOf(header));
   if (library.empty()) {
     if (isStandard(header)) return std::nullopt;

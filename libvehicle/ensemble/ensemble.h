@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "libvehicle/ensemble/design.h"
+#include "libvehicle/ensemble/isa.h"
+#include "libvehicle/integrate/run.h"
+#include "libvehicle/system/input.h"
+
+namespace vehicle {
+
+/// What all designs of a run share.
+struct EnsembleRun {
+  double output_step = 5e-3;        // [s] > 0
+  FixedStep step;                   // of RK4, ended on output samples and kinks as runFixedStep() does
+  double settle = 0.0;              // [s] >= 0: samples before the first + settle count in no metric
+  std::vector<FlatColumn> columns;  // what is computed, in this order
+  Isa isa = bestIsa();
+};
+
+/// One column of one design over the samples that count.
+struct ColumnSummary {
+  double mean = 0.0;
+  double rms = 0.0;      // sqrt(mean of x^2)
+  double lowest = 0.0;
+  double highest = 0.0;
+  [[nodiscard]] double peak() const { return -lowest > highest ? -lowest : highest; }  // max |x|
+};
+
+/// A design whose motion could not be followed to the end: its summaries are NaN, all others are untouched.
+struct EnsembleFailure {
+  int design = 0;
+  double time = 0.0;  // [s] of the first sample at which a state is no longer finite
+};
+
+struct EnsembleResult {
+  std::vector<ColumnSummary> summaries;   // (designs x columns), row-major
+  std::vector<EnsembleFailure> failures;  // by design, ascending
+  long steps = 0;                         // RK4 steps, summed over designs
+};
+
+/// Histories of some designs of a run, as the kernel wrote them: for percentiles, spectra, whatever needs all samples.
+/// Valid during the call that hands it out.
+class StoredBlock {
+ public:
+  StoredBlock(int first, int designs, int lanes, int columns, const int* samples, int room, const double* values)
+      : first_(first), designs_(designs), lanes_(lanes), columns_(columns), samples_(samples), room_(room),
+        values_(values) {}
+
+  [[nodiscard]] int firstDesign() const { return first_; }
+  [[nodiscard]] int designs() const { return designs_; }
+  [[nodiscard]] int columns() const { return columns_; }
+  /// Samples that count, of one design of the block.
+  [[nodiscard]] int samples(int design) const { return samples_[design]; }
+  /// Value of a column (index into EnsembleRun::columns) at one of them. No meaning for a design that failed.
+  /// @param design  0 .. designs() - 1, counted from firstDesign()
+  [[nodiscard]] double at(int design, int column, int sample) const {
+    const auto block = static_cast<std::size_t>(design / lanes_);
+    const auto row = (block * static_cast<std::size_t>(room_) + static_cast<std::size_t>(sample)) *
+                         static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    return values_[row * static_cast<std::size_t>(lanes_) + static_cast<std::size_t>(design % lanes_)];
+  }
+  /// A column of a design, shape (samples(design)).
+  void copyColumn(int design, int column, std::vector<double>& values) const;
+
+ private:
+  int first_, designs_, lanes_, columns_;
+  const int* samples_;    // (designs)
+  int room_;              // rows that each block of lanes has
+  const double* values_;  // (blocks x room x columns x lanes)
+};
+
+/// Called with the designs in ascending order, a few at a time; memory stays below about 64 MiB, whatever the number
+/// of designs.
+using StoredBlockSink = std::function<void(const StoredBlock&)>;
+
+/// RK4 of many designs, one a SIMD lane, with metrics gathered on the way.
+///
+/// Every design follows the grid of runFixedStep(): steps end on output samples and kinks. Output samples on a kink
+/// hold the right-hand limit. A design gives the same bits in whatever company, lane and order it is computed, on the
+/// same instruction set; differences between instruction sets and to the scalar run are roundings
+/// (docs/theory/ensemble.md). Single-threaded and re-entrant: callers share designs among threads.
+/// Cost: the rail is computed once a call, so hand over some hundred designs at once.
+///
+/// @param rail   4 channels in the order of the wheels 1 to 4, for all designs
+/// @param store  empty: nothing is stored
+/// @throws std::invalid_argument for a step, output step, settle, rail or column that does not fit
+[[nodiscard]] EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, const Input& rail,
+                                         const EnsembleRun& run, const StoredBlockSink& store = {});
+
+/// The same with a rail for each design, where speed or wheel positions differ. The rails may differ in segments, kinks
+/// and length; designs that point to the same Input share its preparation.
+/// The rail is computed in the lanes, so the last bits differ from those of the other overload.
+/// @param rails  (designs), none null
+[[nodiscard]] EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, std::span<const Input* const> rails,
+                                         const EnsembleRun& run, const StoredBlockSink& store = {});
+
+}  // namespace vehicle

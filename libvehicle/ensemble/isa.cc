@@ -1,0 +1,58 @@
+#include "libvehicle/ensemble/isa.h"
+
+#include "libvehicle/ensemble/kernel.h"
+
+namespace vehicle {
+
+bool supports(Isa isa) {
+#if defined(__x86_64__)
+  switch (isa) {
+    case Isa::kBaseline:
+      return true;
+    case Isa::kV3:
+      return __builtin_cpu_supports("x86-64-v3") != 0;
+    case Isa::kV4:
+      return __builtin_cpu_supports("x86-64-v4") != 0;
+  }
+  return false;
+#else
+  return isa == Isa::kBaseline;
+#endif
+}
+
+Isa bestIsa() { return supportedIsas().back(); }
+
+std::vector<Isa> supportedIsas() {
+  std::vector<Isa> found;
+  for (const Isa isa : {Isa::kBaseline, Isa::kV3, Isa::kV4}) {
+    if (supports(isa)) found.push_back(isa);
+  }
+  return found;
+}
+
+std::string_view nameOf(Isa isa) {
+  switch (isa) {
+    case Isa::kBaseline:
+      return "baseline";
+    case Isa::kV3:
+      return "v3";
+    case Isa::kV4:
+      return "v4";
+  }
+  return "unknown";
+}
+
+int lanesOf(Isa isa) { return ensemble::kernelsOf(isa).lanes; }
+
+namespace ensemble {
+
+const Kernels& kernelsOf(Isa isa) {
+#if defined(__x86_64__)
+  if (isa == Isa::kV4) return v4::kKernels;
+  if (isa == Isa::kV3) return v3::kKernels;
+#endif
+  return v2::kKernels;
+}
+
+}  // namespace ensemble
+}  // namespace vehicle

@@ -1,0 +1,4 @@
+// Ensemble kernels for x86-64, 2 designs at once.
+#define VEHICLE_ENSEMBLE_ISA v2
+#define VEHICLE_ENSEMBLE_LANES 2
+#include "libvehicle/ensemble/kernel.inc"

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "libvehicle/ensemble/ensemble.h"
+#include "libvehicle/system/input.h"
+
+namespace vehicle {
+
+enum class SteadyPeaks {
+  kNone,     // lowest and highest stay 0
+  kSampled,  // over the common period of the harmonics, which they must have (harmonicOrders)
+};
+enum class SteadyAmplitudes { kDropped, kKept };
+
+/// What is asked of a steady state.
+struct SteadyRun {
+  std::vector<FlatColumn> columns;
+  SteadyPeaks peaks = SteadyPeaks::kNone;
+  SteadyAmplitudes amplitudes = SteadyAmplitudes::kDropped;
+  Isa isa = bestIsa();
+};
+
+/// A design without steady state on a rail: a harmonic meets an undamped mode, or a constant height a motion without
+/// stiffness. Its summaries are NaN there.
+struct SteadyFailure {
+  int rail = 0;
+  int design = 0;
+};
+
+struct SteadyResult {
+  /// (rails x designs x columns), row-major. The mean holds static loads and the rail's constant height.
+  std::vector<ColumnSummary> summaries;
+  /// Of each rail, where kept: complex amplitudes X of Re[X e^(i w (t - begin))], shape (designs x columns x harmonics
+  /// of that rail), row-major.
+  std::vector<std::vector<std::complex<double>>> amplitudes;
+  std::vector<SteadyFailure> failures;  // by rail, then by design
+};
+
+/// Steady state of many designs in closed form: (K + i w C - w^2 M) q = (B0 + i w B1) eta for every harmonic, one design
+/// a SIMD lane. A symmetric design (front and rear, and all axles, equal in every bit) is two complex systems of
+/// two, any other one of four. The r.m.s. is sqrt(mean^2 + sum |X|^2 / 2): exact over a common period, and the
+/// long-time value where there is none.
+///
+/// Every rail is applied to every design. Each has the 4 channels of the wheels 1 to 4, harmonics, and nothing else
+/// but constant heights. A design gives the same bits in whatever company and order.
+/// @throws std::invalid_argument for a rail with linear or higher terms or of another shape, and where peaks are asked
+///         for and the harmonics have no common period
+[[nodiscard]] SteadyResult steadyEnsemble(std::span<const EnsembleDesign> designs,
+                                          std::span<const InputSegment* const> rails, const SteadyRun& run);
+
+/// The same with a rail for each design, where wheel positions differ: summaries (designs x columns), one list of
+/// amplitudes, where all rails must have as many harmonics.
+/// @param rails  (designs), none null
+[[nodiscard]] SteadyResult steadyEnsembleEach(std::span<const EnsembleDesign> designs,
+                                              std::span<const InputSegment* const> rails, const SteadyRun& run);
+
+/// Orders n_f of w_f = n_f w_0 with the largest w_0 that fits, so that 2 pi / w_0 is the common period; nothing where
+/// an order would exceed kMostOrder. Frequencies count as multiples within 1e-9 of themselves.
+[[nodiscard]] std::optional<std::vector<int>> harmonicOrders(std::span<const double> angular_frequency);
+inline constexpr int kMostOrder = 200;
+
+/// One line of a one-sided spectrum: S [m^2 s] at w stands for a band of width dw/(2 pi) [Hz].
+struct SpectrumLine {
+  double angular_frequency = 0.0;  // [rad/s] > 0, distinct
+  double density = 0.0;            // S [m^2/Hz] >= 0
+  double width = 0.0;              // [Hz] >= 0
+};
+
+/// A rail whose steady state has the variance of the response to a spectrum, sum of |H|^2 S df: one harmonic of
+/// amplitude sqrt(2 S df) a line, met by each wheel after its delay. Peaks of it mean nothing: the phases are not random.
+/// @param delay  [s] (4) by which a wheel follows the leading one
+/// @throws std::invalid_argument for a line that breaks its rule
+[[nodiscard]] InputSegment spectrumRail(std::span<const SpectrumLine> lines, const std::array<double, 4>& delay);
+
+}  // namespace vehicle

@@ -20,8 +20,8 @@ bool isLetterOrDigit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <
 
 constexpr std::size_t kLongestName = 64;
 
-bool isName(std::string_view text) {
-  return !text.empty() && text.size() <= kLongestName && isLetterOrDigit(text.front()) &&
+bool isName(std::string_view text, std::size_t longest = kLongestName) {
+  return !text.empty() && text.size() <= longest && isLetterOrDigit(text.front()) &&
          std::all_of(text.begin(), text.end(), [](char c) { return isLetterOrDigit(c) || c == '_' || c == '-'; });
 }
 
@@ -41,8 +41,16 @@ int indexOf(std::string_view word, const std::vector<std::string>& choices) {
   return found == choices.end() ? -1 : static_cast<int>(found - choices.begin());
 }
 
+/// A part of a train is called after its vehicle, which is called after its file and its number.
+bool isPartOfTrain(std::string_view text) {
+  constexpr std::size_t kLongestNumber = 6;  // "_10000"
+  const std::size_t dot = text.find('.');
+  return dot != std::string_view::npos && isName(text.substr(0, dot), kLongestName + kLongestNumber) &&
+         isName(text.substr(dot + 1));
+}
+
 AttributeReading readName(const AttributeRow& row, std::string_view text) {
-  if (isName(text)) return {std::string(text), "", ""};
+  if (isName(text) || (row.kind == ValueKind::kReference && isPartOfTrain(text))) return {std::string(text), "", ""};
   return {std::string(text), fmt::format("{} is no name", written(row, text)),
           fmt::format("names have up to {} letters a-z, A-Z, digits, \"_\" and \"-\", and begin with a letter or digit",
                       kLongestName)};

@@ -14,10 +14,11 @@ constexpr std::string_view kHead = R"(# XML files
 
 <!-- Written by the program from its schema table; a test compares the two. Change the table, not this page. -->
 
-These kinds of file are read: `<vehicle>`, `<scenario>`, `<suite>` and `<study>`; `vehicle check FILE...` judges any of them and
-tells all problems of a file in one pass, each as one line `FILE:LINE: error: ELEMENT: what is wrong; what to do`.
-`models/vehicle.xsd` is the same table for editors and `xmllint --schema`; dimensions and references only the program
-judges.
+These kinds of file are read: `<vehicle>`, `<train>`, `<scenario>`, `<suite>` and `<study>`; `vehicle check FILE...`
+judges any of them and tells all problems of a file in one pass, each as one line
+`FILE:LINE: error: ELEMENT: what is wrong; what to do`. `models/vehicle.xsd` is the same table for editors and
+`xmllint --schema`; dimensions and references only the program judges. A train may stand wherever a vehicle is asked
+for.
 
 ## Rules for every file
 
@@ -25,7 +26,8 @@ judges.
   A unit is a product or quotient of symbols with prefix and power. A missing, unknown or wrong unit is an error.
   Prefixes divide by powers of ten: 9 mm is the double nearest to 0.009 m. 1 tf = 9806.65 N.
 - Names have up to 64 letters, digits, `_` and `-`, and begin with a letter or digit. They are unique in a file, so that
-  `primary.stiffness_z`, `carbody.mass` or `front.x` address one number.
+  `primary.stiffness_z`, `carbody.mass` or `front.x` address one number. Where a scenario means a part of a train it
+  names the vehicle too: `coach_2.carbody`.
 - Unknown elements and attributes are errors, never ignored. Elements may stand in any order; bodies, wheelsets and
   suspensions keep theirs in the results.
 - Files named by a file count from its folder.

@@ -1,7 +1,11 @@
 #include "libvehicle/xml/reader.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
+#include <map>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -84,10 +88,11 @@ Outcome<Definition> readFile(const std::string& path, FileKind kind) {
   return readDefinition<Definition>(*text.value, path, kind);
 }
 
-/// Problems of the files that a suite or study names, told at the place that names them.
-void checkReferences(const std::string& root, const std::vector<FileReference>& references, FileKind kind,
-                     ProblemList& problems) {
-  const std::string& element = schemaOf(kind).name;
+/// Problems of the files that a suite, study or train names, told at the place that names them.
+/// @param kinds  what the files may be; elements are called after the first
+void checkReferences(const std::string& root, const std::vector<FileReference>& references,
+                     std::initializer_list<FileKind> kinds, ProblemList& problems) {
+  const std::string& element = schemaOf(*kinds.begin()).name;
   for (const FileReference& reference : references) {
     const std::string path = resolvePath(reference.origin.file, reference.file);
     const Outcome<FileKind> found = kindOf(path);
@@ -96,7 +101,7 @@ void checkReferences(const std::string& root, const std::vector<FileReference>& 
       const Problem& first = found.problems[0];
       problems.add({reference.origin, fmt::format("<{}><{}>", root, element),
                     fmt::format("{}: {}", written, first.message), first.remedy});
-    } else if (*found.value != kind) {
+    } else if (std::find(kinds.begin(), kinds.end(), *found.value) == kinds.end()) {
       problems.add({reference.origin, fmt::format("<{}><{}>", root, element),
                     fmt::format("{} holds a <{}>", written, schemaOf(*found.value).name),
                     fmt::format("a <{}> is expected here", element)});
@@ -104,13 +109,44 @@ void checkReferences(const std::string& root, const std::vector<FileReference>& 
   }
 }
 
+/// Fills in what the files of a train's vehicles hold; a file that is named twice is read and told once.
+void readVehiclesOf(Train& train, ProblemList& problems) {
+  std::map<std::string, Outcome<Vehicle>> known;
+  for (TrainVehicle& each : train.vehicles) {
+    const std::string path = resolvePath(each.origin.file, each.file);
+    auto found = known.find(path);
+    if (found == known.end()) {
+      const std::size_t before = problems.size();
+      checkReferences("train", {{each.file, each.origin}}, {FileKind::kVehicle}, problems);
+      if (problems.size() > before) continue;
+      found = known.emplace(path, readFile<Vehicle>(path, FileKind::kVehicle)).first;
+      problems.append(found->second.problems);
+    }
+    if (found->second.value) each.vehicle = *found->second.value;
+  }
+}
+
+/// What a study names: of vehicles also trains.
+template <class Definition>
+Outcome<Definition> readAsNamed(const std::string& path, FileKind kind) {
+  if constexpr (std::is_same_v<Definition, Vehicle>) {
+    return readVehicle(path);
+  } else {
+    return readFile<Definition>(path, kind);
+  }
+}
+
 /// A file that a study names, read; its first problem is told where the study names it.
 template <class Definition>
 std::optional<Definition> readNamed(const FileReference& reference, FileKind kind, ProblemList& problems) {
   const std::size_t before = problems.size();
-  checkReferences("study", {reference}, kind, problems);
+  if (kind == FileKind::kVehicle) {
+    checkReferences("study", {reference}, {kind, FileKind::kTrain}, problems);
+  } else {
+    checkReferences("study", {reference}, {kind}, problems);
+  }
   if (problems.size() > before) return std::nullopt;
-  Outcome<Definition> read = readFile<Definition>(resolvePath(reference.origin.file, reference.file), kind);
+  Outcome<Definition> read = readAsNamed<Definition>(resolvePath(reference.origin.file, reference.file), kind);
   if (read.value) return std::move(read.value);
   problems.add({reference.origin, fmt::format("<study><{}>", schemaOf(kind).name),
                 fmt::format("file=\"{}\" has problems: {}", shown(reference.file), read.problems[0].text()),
@@ -144,6 +180,10 @@ Outcome<Vehicle> readVehicleText(std::string_view text, const std::string& file_
   return readDefinition<Vehicle>(text, file_name, FileKind::kVehicle);
 }
 
+Outcome<Train> readTrainText(std::string_view text, const std::string& file_name) {
+  return readDefinition<Train>(text, file_name, FileKind::kTrain);
+}
+
 Outcome<Scenario> readScenarioText(std::string_view text, const std::string& file_name) {
   return readDefinition<Scenario>(text, file_name, FileKind::kScenario);
 }
@@ -156,15 +196,30 @@ Outcome<Study> readStudyText(std::string_view text, const std::string& file_name
   return readDefinition<Study>(text, file_name, FileKind::kStudy);
 }
 
-Outcome<Vehicle> readVehicle(const std::string& path) { return readFile<Vehicle>(path, FileKind::kVehicle); }
+Outcome<Vehicle> readVehicle(const std::string& path) {
+  if (kindOf(path).value != FileKind::kTrain) return readFile<Vehicle>(path, FileKind::kVehicle);
+  Outcome<Train> train = readTrain(path);
+  if (!train.value) return {std::nullopt, std::move(train.problems)};
+  return {assembled(*train.value), {}};
+}
+
+Outcome<Train> readTrain(const std::string& path) {
+  Outcome<Train> outcome = readFile<Train>(path, FileKind::kTrain);
+  if (!outcome.value) return outcome;
+  readVehiclesOf(*outcome.value, outcome.problems);
+  if (outcome.problems.empty()) outcome.problems = check(*outcome.value);
+  outcome.problems = firstOf(outcome.problems);
+  if (!outcome.problems.empty()) outcome.value.reset();
+  return outcome;
+}
 
 Outcome<Scenario> readScenario(const std::string& path) { return readFile<Scenario>(path, FileKind::kScenario); }
 
 Outcome<Suite> readSuite(const std::string& path) {
   Outcome<Suite> outcome = readFile<Suite>(path, FileKind::kSuite);
   if (!outcome.value) return outcome;
-  checkReferences("suite", outcome.value->vehicles, FileKind::kVehicle, outcome.problems);
-  checkReferences("suite", outcome.value->scenarios, FileKind::kScenario, outcome.problems);
+  checkReferences("suite", outcome.value->vehicles, {FileKind::kVehicle, FileKind::kTrain}, outcome.problems);
+  checkReferences("suite", outcome.value->scenarios, {FileKind::kScenario}, outcome.problems);
   outcome.problems.sortByPlace();
   if (!outcome.problems.empty()) outcome.value.reset();
   return outcome;
@@ -196,6 +251,8 @@ ProblemList checkFile(const std::string& path) {
   switch (*kind.value) {
     case FileKind::kVehicle:
       return readVehicle(path).problems;
+    case FileKind::kTrain:
+      return readTrain(path).problems;
     case FileKind::kScenario:
       return readScenario(path).problems;
     case FileKind::kSuite:

@@ -6,6 +6,7 @@
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/study.h"
 #include "libvehicle/definition/suite.h"
+#include "libvehicle/definition/train.h"
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/xml/schema.h"
@@ -14,10 +15,16 @@ namespace vehicle {
 
 /// Reads a vehicle file. All problems are told in one pass, in the order in which they stand in the file:
 /// those of the file's form and values, then the contradictions that definition's check() finds.
-/// A value is given only if there is no problem; nothing is thrown for a wrong file.
+/// A value is given only if there is no problem; nothing is thrown for a wrong file. A train file is a vehicle file
+/// too: it gives the train assembled into one vehicle.
 [[nodiscard]] Outcome<Vehicle> readVehicle(const std::string& path);
 /// @param file_name  what messages and origins call the text
 [[nodiscard]] Outcome<Vehicle> readVehicleText(std::string_view text, const std::string& file_name);
+
+/// The same for a train, with the vehicles that it names; their problems are told at their own places.
+[[nodiscard]] Outcome<Train> readTrain(const std::string& path);
+/// Does not read the files that the train names.
+[[nodiscard]] Outcome<Train> readTrainText(std::string_view text, const std::string& file_name);
 
 /// The same for a scenario. Names that only a vehicle can confirm are not judged: check(scenario, vehicle) does.
 [[nodiscard]] Outcome<Scenario> readScenario(const std::string& path);

@@ -42,16 +42,28 @@ const ElementRow* ElementRow::child(std::string_view element_name) const {
 
 const ElementRow& schemaOf(FileKind kind) {
   static const ElementRow kVehicle = schema::vehicleRow();
+  static const ElementRow kTrain = schema::trainRow();
   static const ElementRow kScenario = schema::scenarioRow();
   static const ElementRow kSuite = schema::suiteRow();
   static const ElementRow kStudy = schema::studyRow();
-  if (kind == FileKind::kStudy) return kStudy;
-  return kind == FileKind::kVehicle ? kVehicle : kind == FileKind::kScenario ? kScenario : kSuite;
+  switch (kind) {
+    case FileKind::kTrain:
+      return kTrain;
+    case FileKind::kScenario:
+      return kScenario;
+    case FileKind::kSuite:
+      return kSuite;
+    case FileKind::kStudy:
+      return kStudy;
+    case FileKind::kVehicle:
+      break;
+  }
+  return kVehicle;
 }
 
 const std::vector<FileKind>& allFileKinds() {
-  static const std::vector<FileKind> kKinds = {FileKind::kVehicle, FileKind::kScenario, FileKind::kSuite,
-                                              FileKind::kStudy};
+  static const std::vector<FileKind> kKinds = {FileKind::kVehicle, FileKind::kTrain, FileKind::kScenario,
+                                              FileKind::kSuite, FileKind::kStudy};
   return kKinds;
 }
 

@@ -18,6 +18,7 @@ namespace vehicle {
 /// What a file is about, told by its root element.
 enum class FileKind {
   kVehicle,
+  kTrain,
   kScenario,
   kSuite,
   kStudy
@@ -29,7 +30,7 @@ inline constexpr std::string_view kFileFormat = "1";
 enum class ValueKind {
   kFormat,      // kFileFormat; bound to no member
   kName,        // letters, digits, "_" and "-", beginning with a letter or digit; unique in the file
-  kReference,   // the name of another part
+  kReference,   // the name of another part; of a train's part "coach_2.carbody"
   kFile,        // a path, counted from the folder of the naming file
   kText,        // words that definition's check() and bind() read
   kQuantity,    // number with unit

@@ -193,6 +193,7 @@ class Writer {
 }  // namespace
 
 std::string write(const Vehicle& vehicle) { return Writer().writeRoot(schemaOf(FileKind::kVehicle), &vehicle); }
+std::string write(const Train& train) { return Writer().writeRoot(schemaOf(FileKind::kTrain), &train); }
 std::string write(const Scenario& scenario) { return Writer().writeRoot(schemaOf(FileKind::kScenario), &scenario); }
 std::string write(const Suite& suite) { return Writer().writeRoot(schemaOf(FileKind::kSuite), &suite); }
 std::string write(const Study& study) { return Writer().writeRoot(schemaOf(FileKind::kStudy), &study); }

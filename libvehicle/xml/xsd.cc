@@ -74,6 +74,8 @@ class XsdWriter {
 
   std::string simpleTypes() const {
     std::string out = simpleType("name", R"(<xs:pattern value="[A-Za-z0-9][A-Za-z0-9_\-]{0,63}"/>)");
+    out += simpleType("reference",
+                      R"(<xs:pattern value="([A-Za-z0-9][A-Za-z0-9_\-]{0,69}\.)?[A-Za-z0-9][A-Za-z0-9_\-]{0,63}"/>)");
     out += simpleType("file", R"(<xs:pattern value="\s*\S.*"/>)");
     out += simpleType("words", R"(<xs:pattern value="\s*\S.*"/>)");
     out += simpleType("format", fmt::format("<xs:enumeration value=\"{}\"/>", kFileFormat));
@@ -95,8 +97,9 @@ class XsdWriter {
       case ValueKind::kFormat:
         return {"format", ""};
       case ValueKind::kName:
-      case ValueKind::kReference:
         return {"name", ""};
+      case ValueKind::kReference:
+        return {"reference", ""};
       case ValueKind::kFile:
         return {"file", ""};
       case ValueKind::kText:

@@ -133,7 +133,7 @@ a.xml:1: error: "<?" is not closed; close it with "?>"
        R"(a.xml:1: error: the root element <vehicel> is unknown; did you mean <vehicle>?
 )"},
       {std::string("<report/>", 9),
-       R"(a.xml:1: error: the root element <report> is unknown; a file holds one of <vehicle>, <scenario>, <suite>, <study>
+       R"(a.xml:1: error: the root element <report> is unknown; a file holds one of <vehicle>, <train>, <scenario>, <suite>, <study>
 )"},
   };
   for (const Bytes& each : cases) {
@@ -173,7 +173,7 @@ TEST(FileGuard, AMegabyteOfAttributesIsRefusedAtOnce) {
 TEST(FileGuard, LongValuesAreCutInMessages) {
   EXPECT_EQ(readVehicleText("<" + std::string(100000, 'a') + "/>", "a.xml").problems.text(),
             "a.xml:1: error: the root element <" + std::string(60, 'a') +
-                "...> is unknown; a file holds one of <vehicle>, <scenario>, <suite>, <study>\n");
+                "...> is unknown; a file holds one of <vehicle>, <train>, <scenario>, <suite>, <study>\n");
 }
 
 // One line per problem would be as useless as none where a wrong file gives thousands.

@@ -17,6 +17,13 @@ inline const Lines kVehicleLines = {
     R"(</vehicle>)",
 };
 
+inline const Lines kTrainLines = {
+    R"(<train name="t" format="1">)",
+    R"(  <vehicle file="v.xml" count="3" spacing="26 m"/>)",
+    R"(  <coupling stiffness_z="50 kN/m" damping_z="20 kN*s/m" end_x="12.5 m"/>)",
+    R"(</train>)",
+};
+
 inline const Lines kScenarioLines = {
     R"(<scenario name="s" format="1">)",
     R"(  <run speed="20 m/s" duration="10 s" output_step="5 ms"/>)",

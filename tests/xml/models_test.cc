@@ -47,6 +47,12 @@ TEST(ShippedModels, ComeBackEqualFromTheWriter) {
         EXPECT_EQ(readVehicleText(write(read), "again.xml").orThrow(), read);
         break;
       }
+      case FileKind::kTrain: {
+        Train read = readTrain(file).orThrow();
+        for (TrainVehicle& each : read.vehicles) each.vehicle = Vehicle();  // what a train's text does not hold
+        EXPECT_EQ(readTrainText(write(read), "again.xml").orThrow(), read);
+        break;
+      }
       case FileKind::kScenario: {
         const Scenario read = readScenario(file).orThrow();
         EXPECT_EQ(readScenarioText(write(read), "again.xml").orThrow(), read);
@@ -94,14 +100,18 @@ TEST(ShippedSchema, RefusesWhatTheReaderRefuses) {
       {test::kScenarioLines, 3, R"(<track>)"},
       {test::kScenarioLines, 3, R"(<track history="never">)"},
       {test::kScenarioLines, 2, R"(<run speed="20 m/s" duration="10 s"/><run speed="20 m/s" duration="10 s"/>)"},
+      {test::kTrainLines, 2, R"(<vehicle file="v.xml" count="0" spacing="26 m"/>)"},
+      {test::kTrainLines, 2, R"(<vehicle file="v.xml"/>)"},
+      {test::kTrainLines, 3, R"(<coupling stifness_z="50 kN/m"/>)"},
+      {test::kRigLines, 4, R"(<input wheelset="a.b.c"><sine amplitude="6 mm" angular_frequency="5 rad/s"/></input>)"},
       {test::kSuiteLines, 4, R"(<speed from="20 km/h" to="150 km/h" count="0"/>)"},
       {test::kStudyLines, 4, R"(<vary from="1 kN/m" to="2 kN/m" count="3"/>)"},
       {test::kStudyLines, 5, R"(<plan kind="random"/>)"},
       {test::kStudyLines, 6, R"(<metric name=" "/>)"},
   };
   const std::string file = (std::filesystem::path(::testing::TempDir()) / "vehicle_wrong.xml").string();
-  for (const test::Lines* right : {&test::kVehicleLines, &test::kScenarioLines, &test::kRigLines, &test::kSuiteLines,
-                                   &test::kStudyLines}) {
+  for (const test::Lines* right : {&test::kVehicleLines, &test::kScenarioLines, &test::kRigLines, &test::kTrainLines,
+                                   &test::kSuiteLines, &test::kStudyLines}) {
     std::ofstream(file) << test::textOf(*right);
     EXPECT_TRUE(isValid(file));
   }

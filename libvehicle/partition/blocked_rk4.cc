@@ -33,6 +33,11 @@ BlockedRk4::BlockedRk4(const EquationSet& set, const EquationGraph& graph, const
   }
   plan(graph, target, block);
   x_.resize(at(2 * held_.size()));
+  if (isSwept(input)) {
+    swept_.emplace(input);
+    channels_ = {0, set.channels()};
+    return;
+  }
   for (auto* row : {&begin_, &middle_, &end_, &part_}) row->resize(at(2 * channels_.size()));
 }
 
@@ -101,13 +106,17 @@ int BlockedRk4::firstBlockReading(int equation) const {
 }
 
 void BlockedRk4::enter(const StepBlock& steps) {
+  if (swept_) {
+    swept_->sweep(steps);
+    return;
+  }
   steps.wind(input_, clock_);
   readRow(0, channels_, begin_);
 }
 
 void BlockedRk4::readRow(int sample, ChannelRun channels, std::vector<double>& row) {
   const int count = channels.size();
-  if (count <= 0) return;
+  if (swept_ || count <= 0) return;
   double* heights = row.data() + (channels.first - channels_.first);
   if (count == channels_.size()) {
     input_.readRow(clock_, sample, channels.first, channels.last, heights);
@@ -116,6 +125,11 @@ void BlockedRk4::readRow(int sample, ChannelRun channels, std::vector<double>& r
   input_.readRow(clock_, sample, channels.first, channels.last, part_.data());
   std::copy_n(part_.data(), count, heights);
   std::copy_n(part_.data() + count, count, heights + channels_.size());
+}
+
+const double* BlockedRk4::row(int which, int k) const {
+  if (swept_) return swept_->row(2 * k + which);
+  return (which == 0 ? begin_ : which == 1 ? middle_ : end_).data();
 }
 
 void BlockedRk4::prepare(int k) { readRow(2 * k + 1, blocks_.front().middle, middle_); }
@@ -136,8 +150,8 @@ void BlockedRk4::slideTo(const Block& block) {
   filled_ = block.stage[0].last;
 }
 
-void BlockedRk4::evaluate(EquationRun run, const double* x, int x_first, const std::vector<double>& row) {
-  set_.derivative({.first = run.first, .last = run.last, .x = x, .x_first = x_first, .u = row.data(),
+void BlockedRk4::evaluate(EquationRun run, const double* x, int x_first, const double* row) {
+  set_.derivative({.first = run.first, .last = run.last, .x = x, .x_first = x_first, .u = row,
                    .u_first = channels_.first, .u_count = channels_.size(), .dx = slope_.data(),
                    .dx_first = run.first});
 }
@@ -149,26 +163,26 @@ void BlockedRk4::advance(double h, int k, int number) {
     return values.data() + 2 * (run.first - base_);
   };
   const EquationRun first = block.stage[0];
-  evaluate(first, x_.data(), held_.first, begin_);
+  evaluate(first, x_.data(), held_.first, row(0, k));
   afterFirstStage(h, x(first.first), slope_.data(), inWindow(sum_, first), inWindow(second_, first),
                   2 * first.size());
   if (number > 0) readRow(2 * k + 1, block.middle, middle_);
   const EquationRun second = block.stage[1];
   if (second.size() > 0) {
-    evaluate(second, second_.data(), base_, middle_);
+    evaluate(second, second_.data(), base_, row(1, k));
     afterMiddleStage<1>(h, x(second.first), slope_.data(), inWindow(sum_, second), inWindow(third_, second),
                         2 * second.size());
   }
   const EquationRun third = block.stage[2];
   if (third.size() > 0) {
-    evaluate(third, third_.data(), base_, middle_);
+    evaluate(third, third_.data(), base_, row(1, k));
     afterMiddleStage<2>(h, x(third.first), slope_.data(), inWindow(sum_, third), inWindow(fourth_, third),
                         2 * third.size());
   }
   readRow(2 * k + 2, block.end, end_);
   const EquationRun fourth = block.stage[3];
   if (fourth.size() > 0) {
-    evaluate(fourth, fourth_.data(), base_, end_);
+    evaluate(fourth, fourth_.data(), base_, row(2, k));
     afterLastStage(h, slope_.data(), inWindow(sum_, fourth), x(fourth.first), 2 * fourth.size());
   }
 }
@@ -187,7 +201,7 @@ Statistics runBlockedRk4(const System& system, const Input& input, const Schedul
   if (statistics.stopped) return statistics;
   const std::vector<int>& order = cut.set().stateOrder();
   walkSteps(
-      schedule, step, kStepsPerBlock, [&](const StepBlock& steps) { rk4.enter(steps); },
+      schedule, step, rk4.stepsOfBlock(), [&](const StepBlock& steps) { rk4.enter(steps); },
       [&](double h, int k) {
         rk4.prepare(k);
         rk4.step(h, k, [](int) {});

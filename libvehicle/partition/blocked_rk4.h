@@ -17,11 +17,12 @@
 // 3. A thread that needs the new state of some equations only takes each stage of as many more as the next stage
 //    reads: the redundant halo. With all equations wanted there is none, and this is the serial code.
 
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/equation_graph.h"
+#include "libvehicle/partition/rail_rows.h"
 #include "libvehicle/partition/step_walk.h"
 
 namespace vehicle {
@@ -47,6 +48,8 @@ class BlockedRk4 {
   /// The first block of a step that reads the state of that equation; blocks() where none does.
   [[nodiscard]] int firstBlockReading(int equation) const;
 
+  /// Steps of a block of the walk that enter() expects at most.
+  [[nodiscard]] int stepsOfBlock() const { return swept_ ? SweptRows::kSteps : kStepsPerBlock; }
   /// Before the steps of a block of the walk.
   void enter(const StepBlock& steps);
   /// The input of a step's first block, which no state enters: may be done while the state is still on its way.
@@ -59,7 +62,7 @@ class BlockedRk4 {
       before(b);
       advance(h, k, b);
     }
-    begin_.swap(end_);
+    if (!swept_) begin_.swap(end_);
   }
 
  private:
@@ -73,7 +76,8 @@ class BlockedRk4 {
   void advance(double h, int k, int block);
   void slideTo(const Block& block);
   void readRow(int sample, ChannelRun channels, std::vector<double>& row);
-  void evaluate(EquationRun run, const double* x, int x_first, const std::vector<double>& row);
+  const double* row(int which, int k) const;
+  void evaluate(EquationRun run, const double* x, int x_first, const double* row);
 
   const EquationSet& set_;
   const Input& input_;
@@ -83,6 +87,7 @@ class BlockedRk4 {
   std::vector<Block> blocks_;
   std::vector<int> reach_;   // (blocks) the last equation + 1 that blocks up to this one read
 
+  std::optional<SweptRows> swept_;  // of few channels; else rows are read block by block
   SweepClock clock_;
   std::vector<double> x_;
   std::vector<double> begin_, middle_, end_;  // rows over channels_: heights, then rates

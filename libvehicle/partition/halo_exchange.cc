@@ -115,6 +115,7 @@ class HaloMember {
                      [](const auto& one, const auto& other) { return one.block < other.block; });
   }
 
+  int stepsOfBlock() const { return rk4_.stepsOfBlock(); }
   void enter(const StepBlock& steps) { rk4_.enter(steps); }
 
   void move(double h, int k) {
@@ -170,7 +171,7 @@ PartitionRun runHaloExchange(const System& system, const Input& input, const Sch
     HaloMember work(cut, graph, plan, exchange, me);
     const OwnState own(cut.set(), run.shares[at(me.number())]);
     const bool whole = walkSteps(
-        schedule, step, kStepsPerBlock, [&](const StepBlock& steps) { work.enter(steps); },
+        schedule, step, work.stepsOfBlock(), [&](const StepBlock& steps) { work.enter(steps); },
         [&](double h, int k) { work.move(h, k); },
         [&](const StepPause& here) {
           return ring.show(me, here, [&](double* x) { return own.copyTo(x, [&](int e) { return work.x(e); }); });

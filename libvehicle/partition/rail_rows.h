@@ -7,12 +7,39 @@
 
 namespace vehicle {
 
-/// The rows of the input as one thread reads them, each when the thread has time for it: its own channels only.
+/// Few channels are swept as a whole and ahead of the steps; of many, each thread reads its own rows step by step.
+[[nodiscard]] inline bool isSwept(const Input& input) { return input.channels() <= 16; }
+
+/// Rows of all channels for one block of a walk of kSteps steps a block.
+class SweptRows {
+ public:
+  static constexpr int kSteps = Input::kBlock / 2;
+
+  explicit SweptRows(const Input& input)
+      : input_(input),
+        width_(2 * static_cast<std::size_t>(input.channels())),
+        rows_((2 * static_cast<std::size_t>(kSteps) + 1) * width_) {}
+
+  void sweep(const StepBlock& steps) {
+    const int samples = 2 * (steps.last - steps.first) + 1;
+    input_.sweep(steps.segment, steps.begin, 0.5 * steps.h, 2 * steps.first, samples,
+                 {rows_.data(), static_cast<std::size_t>(samples) * width_});
+  }
+  /// @param sample  2 k, 2 k + 1, 2 k + 2 for begin, middle and end of step k of the block
+  [[nodiscard]] const double* row(int sample) const { return rows_.data() + static_cast<std::size_t>(sample) * width_; }
+
+ private:
+  const Input& input_;
+  std::size_t width_;
+  std::vector<double> rows_;
+};
+
+/// Rows of some channels, each read when there is time for it.
 class OwnRows {
  public:
   /// @param channels  that enter the thread's equations
   OwnRows(const Input& input, ChannelRun channels)
-      : input_(input), channels_(channels), row_{Row(channels), Row(channels), Row(channels)} {}
+      : input_(input), channels_(channels), row_{makeRow(channels), makeRow(channels), makeRow(channels)} {}
 
   void enter(const StepBlock& steps) {
     steps.wind(input_, clock_);
@@ -32,7 +59,7 @@ class OwnRows {
 
  private:
   using Values = std::vector<double>;
-  static Values Row(ChannelRun channels) { return Values(static_cast<std::size_t>(2 * channels.size())); }
+  static Values makeRow(ChannelRun channels) { return Values(static_cast<std::size_t>(2 * channels.size())); }
   void read(int sample, Values& row) {
     if (channels_.size() > 0) input_.readRow(clock_, sample, channels_.first, channels_.last, row.data());
   }
@@ -42,34 +69,6 @@ class OwnRows {
   SweepClock clock_;
   Values row_[3];
   int sample_ = 0;
-};
-
-/// The rows of all channels, swept by one thread for all, block by block of the walk; two blocks are there at a time.
-class SharedRows {
- public:
-  static constexpr int kSteps = Input::kBlock / 2;  // of a block of the walk
-
-  explicit SharedRows(const Input& input)
-      : input_(input), width_(2 * static_cast<std::size_t>(input.channels())) {
-    for (auto& block : blocks_) block.resize((2 * static_cast<std::size_t>(kSteps) + 1) * width_);
-  }
-
-  /// @param number  of the block, counted over the whole walk
-  void sweep(long number, const StepBlock& steps) {
-    const auto samples = static_cast<std::size_t>(2 * (steps.last - steps.first) + 1);
-    input_.sweep(steps.segment, steps.begin, 0.5 * steps.h, 2 * steps.first, static_cast<int>(samples),
-                 {block(number).data(), samples * width_});
-  }
-  [[nodiscard]] const double* row(long number, int sample) const {
-    return blocks_[number % 2].data() + static_cast<std::size_t>(sample) * width_;
-  }
-
- private:
-  std::vector<double>& block(long number) { return blocks_[number % 2]; }
-
-  const Input& input_;
-  std::size_t width_;
-  std::vector<double> blocks_[2];
 };
 
 }  // namespace vehicle

@@ -185,17 +185,27 @@ ChannelRun channelsOf(const EquationGraph& graph, const std::vector<EquationRun>
   return all;
 }
 
-// Every thread reads the rows of its own channels.
+// Every thread has the rows of its own channels from itself.
 template <class Show>
-bool walkWithOwnRows(const CutRun& cut, const EquationGraph& graph, const StagePlan& plan, const Schedule& schedule,
-                     FixedStep step, Member& me, StageMember& work, Show show) {
-  OwnRows rows(cut.input(), channelsOf(graph, plan.parts[at(me.number())].own));
+bool walkWithOwnRows(const CutRun& cut, ChannelRun channels, const Schedule& schedule, FixedStep step,
+                     StageMember& work, Show show) {
+  if (isSwept(cut.input())) {
+    SweptRows rows(cut.input());
+    return walkSteps(
+        schedule, step, SweptRows::kSteps, [&](const StepBlock& steps) { rows.sweep(steps); },
+        [&](double h, int k) {
+          work.step(
+              h, {0, cut.set().channels()}, [&](int which) { return rows.row(2 * k + which); }, [] {}, [] {});
+        },
+        show);
+  }
+  OwnRows rows(cut.input(), channels);
   return walkSteps(
       schedule, step, kStepsPerBlock, [&](const StepBlock& steps) { rows.enter(steps); },
       [&](double h, int k) {
         rows.beginStep(k);
         work.step(
-            h, rows.channels(), [&](int which) { return rows.row(which); }, [&] { rows.readMiddle(); },
+            h, channels, [&](int which) { return rows.row(which); }, [&] { rows.readMiddle(); },
             [&] { rows.readEnd(); });
       },
       show);
@@ -204,7 +214,7 @@ bool walkWithOwnRows(const CutRun& cut, const EquationGraph& graph, const StageP
 // One thread sweeps the rail a block ahead of all: a walk of its own, block by block.
 class Sweeper {
  public:
-  Sweeper(const Schedule& schedule, FixedStep step, SharedRows& rows) : rows_(rows) {
+  Sweeper(const Schedule& schedule, FixedStep step, std::vector<SweptRows>& rows) : rows_(rows) {
     constexpr int kWholeGrid = 1 << 30;
     walkSteps(
         schedule, step, kWholeGrid, [&](const StepBlock& grid) { grids_.push_back(grid); }, [](double, int) {},
@@ -215,8 +225,8 @@ class Sweeper {
     if (grid_ == grids_.size()) return;
     StepBlock block = grids_[grid_];
     block.first = done_;
-    block.last = std::min(done_ + SharedRows::kSteps, block.last);
-    rows_.sweep(number_++, block);
+    block.last = std::min(done_ + SweptRows::kSteps, block.last);
+    rows_[static_cast<std::size_t>(number_++ % 2)].sweep(block);
     done_ = block.last;
     if (done_ < grids_[grid_].last) return;
     done_ = 0;
@@ -224,7 +234,7 @@ class Sweeper {
   }
 
  private:
-  SharedRows& rows_;
+  std::vector<SweptRows>& rows_;  // of the block in use and of the next
   std::vector<StepBlock> grids_;
   std::size_t grid_ = 0;
   int done_ = 0;  // steps of it
@@ -232,15 +242,16 @@ class Sweeper {
 };
 
 template <class Show>
-bool walkWithSharedRows(const CutRun& cut, const Schedule& schedule, FixedStep step, SharedRows& rows,
-                        Sweeper* sweeper, StageMember& work, Show show) {
+bool walkWithSharedRows(const CutRun& cut, const Schedule& schedule, FixedStep step,
+                        const std::vector<SweptRows>& rows, Sweeper* sweeper, StageMember& work, Show show) {
   const ChannelRun channels{0, cut.set().channels()};
   long block = -1;
   long swept = 0;
   return walkSteps(
-      schedule, step, SharedRows::kSteps, [&](const StepBlock&) { ++block; },
+      schedule, step, SweptRows::kSteps, [&](const StepBlock&) { ++block; },
       [&](double h, int k) {
-        const auto row = [&](int which) { return rows.row(block, 2 * k + which); };
+        const SweptRows& swept_rows = rows[static_cast<std::size_t>(block % 2)];
+        const auto row = [&](int which) { return swept_rows.row(2 * k + which); };
         // While the first values of the block are on their way: every reader has done with the block before.
         const auto middle = [&] {
           if (sweeper == nullptr || swept > block) return;
@@ -266,7 +277,7 @@ PartitionRun runStageExchange(const System& system, const Input& input, const Sc
   const Stretch& start = schedule.stretches().front();
 
   const bool shares_rail = choice.map == EquationMap::kPaper;
-  SharedRows rows(cut.input());
+  std::vector<SweptRows> rows(shares_rail ? 2 : 0, SweptRows(cut.input()));
   std::optional<Sweeper> sweeper;
   if (shares_rail) {
     sweeper.emplace(schedule, step, rows);
@@ -282,7 +293,8 @@ PartitionRun runStageExchange(const System& system, const Input& input, const Sc
     const bool sweeps = shares_rail && me.number() == kRailThread;
     const bool whole = shares_rail
                            ? walkWithSharedRows(cut, schedule, step, rows, sweeps ? &*sweeper : nullptr, work, show)
-                           : walkWithOwnRows(cut, graph, plan, schedule, step, me, work, show);
+                           : walkWithOwnRows(cut, channelsOf(graph, plan.parts[at(me.number())].own), schedule, step,
+                                             work, show);
     if (whole && me.number() == 0) ring.finish(me);
   });
   run.statistics = ring.statistics();

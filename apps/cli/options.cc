@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -87,6 +88,17 @@ CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension d
   std::transform(type.begin(), type.end(), type.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return command.add_option_function<std::string>(name, read, help)->type_name(type);
+}
+
+CLI::Option* addCount(CLI::App& command, const std::string& name, int& count, const std::string& help, int most) {
+  const auto read = [name, most, &count](const std::string& text) {
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, count);
+    if (error == std::errc() && stop == end && count >= 1 && count <= most) return;
+    throw CLI::ValidationError(fmt::format("{}: \"{}\" must be a whole number 1..{}", name, text, most),
+                               CLI::ExitCodes::ValidationError);
+  };
+  return command.add_option_function<std::string>(name, read, help)->type_name("N");
 }
 
 void addRunSettings(CLI::App& command, RunChoice& choice) {

@@ -25,6 +25,11 @@ void addCommonOptions(CLI::App& command, CommonOptions& options);
 CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension dimension, const std::string& help,
                          std::function<void(double)> store);
 
+/// A whole number; the message of a wrong one names the range.
+/// @param most  1..most are right
+CLI::Option* addCount(CLI::App& command, const std::string& name, int& count, const std::string& help,
+                      int most = 1'000'000);
+
 /// Speed, step and tolerances of a run, as far as the methods read them.
 void addRunSettings(CLI::App& command, RunChoice& choice);
 

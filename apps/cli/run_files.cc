@@ -33,12 +33,14 @@ RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice&
                        {"method", result.method},
                        {"speed", fmt::format("{} m/s", result.speed)},
                        {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
-  if (result.method == "rk4") record.attributes.emplace_back("step", fmt::format("{} s", choice.step));
+  if (result.method == "rk4" || result.method == "rk4_split") record.attributes.emplace_back("step", fmt::format("{} s", choice.step));
   if (result.method == "dopri5") {
     record.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
     record.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));
   }
   if (result.method == "simbody_rkm") record.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
+  record.attributes.emplace_back("scheme", result.scheme);
+  record.attributes.emplace_back("threads", fmt::format("{}", result.threads));
   record.attributes.emplace_back("steps", fmt::format("{}", result.statistics.steps));
   record.attributes.emplace_back("evaluations", fmt::format("{}", result.statistics.evaluations));
   record.attributes.emplace_back("rejected steps", fmt::format("{}", result.statistics.rejected));

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -9,35 +8,15 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/exit_status.h"
+#include "apps/cli/history_table.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/run_files.h"
+#include "apps/cli/thread_options.h"
 
 namespace vehicle::cli {
 namespace {
-
-/// One line a column: smallest, largest, largest size and when, root mean square over the samples.
-Table summaryOf(const TimeHistory& history) {
-  Table table{
-      "columns", {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"rms", ""}}, {}};
-  for (std::size_t j = 1; j < history.columns().size(); ++j) {
-    double low = history.at(0, j), high = low, peak = std::abs(low), at = history.at(0, 0), squares = 0.0;
-    for (std::size_t i = 0; i < history.samples(); ++i) {
-      const double value = history.at(i, j);
-      low = std::min(low, value);
-      high = std::max(high, value);
-      squares += value * value;
-      if (std::abs(value) > peak) {
-        peak = std::abs(value);
-        at = history.at(i, 0);
-      }
-    }
-    const double rms = std::sqrt(squares / static_cast<double>(history.samples()));
-    table.rows.push_back({history.columns()[j].name, history.columns()[j].unit, low, high, peak, at, rms});
-  }
-  return table;
-}
 
 struct Options {
   ModelFiles files;
@@ -66,14 +45,16 @@ int simulateAndStore(const Options& options) {
                     {"scenario", model.scenario.name, ""},
                     {"form", result.form, ""},
                     {"method", result.method, ""},
-                    {"speed", result.speed, "m/s"},
-                    {"end of run", reached, "s"},
+                    {"speed", result.speed, "m/s"}};
+  for (Fact& fact : sharingFacts(result)) document.facts.push_back(std::move(fact));
+  document.facts.insert(document.facts.end(),
+                   {{"end of run", reached, "s"},
                     {"samples", static_cast<long>(history.samples()), ""},
                     {"steps", result.statistics.steps, ""},
                     {"evaluations", result.statistics.evaluations, ""},
                     {"rejected steps", result.statistics.rejected, ""},
-                    {"run time", result.wall_seconds, "s"}};
-  document.tables.push_back(summaryOf(history));
+                    {"run time", result.wall_seconds, "s"}});
+  document.tables = {decisionTable(result.decision), historyTable(history)};
   print(document, options.common.format, std::cout);
   for (const std::string& output : options.outputs) {
     if (!options.common.quiet) std::cerr << fmt::format("written: {}\n", output);
@@ -99,10 +80,12 @@ Action addSimulate(CLI::App& program) {
       ->check(oneOf(formNames()));
   command
       ->add_option("--method", options->choice.method,
-                   "rk4 | dopri5 | exact | simbody_rkm   (default: exact where it fits, else dopri5)")
+                   "rk4 | dopri5 | exact | simbody_rkm, or for a flat vehicle whose front and\nrear are alike rk4_split | exact_split   "
+                   "(default: exact where it fits,\nelse dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));
   addRunSettings(*command, options->choice);
+  addSharing(*command, options->choice, "1");
   command
       ->add_option("--output", options->outputs,
                    "time histories, .csv or .h5; may be given several times   (default: none)")
@@ -112,6 +95,7 @@ Action addSimulate(CLI::App& program) {
   addCommonOptions(*command, options->common);
   command->footer(
       "Prints a summary of every column in the format chosen; whole histories go to --output.\n"
+      "Threads change the time that a run takes and no bit of its result.\n"
       "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
       "             --speed \"72 km/h\" --output run.h5 --output run.csv");
   return [options] { return simulateAndStore(*options); };

@@ -1,11 +1,13 @@
 # Completion of `vehicle` for bash. Installed under share/bash-completion/completions, or: source vehicle.bash
 _vehicle() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check info simulate modes validate schema"
+  local commands="check info simulate modes validate profile schema"
   local common="--help --format --quiet"
   local settings="--speed --step --rtol --atol --accuracy"
   local forms="flat matrix mbs-linear mbs flat-7-printed flat-literal flat-literal-mb"
-  local methods="rk4 dopri5 exact simbody_rkm"
+  local methods="rk4 dopri5 exact simbody_rkm rk4_split exact_split"
+  local sharing="--threads --scheme --map"
+  local team="--waiting --pinning --priority"
   local words=""
   COMPREPLY=()
 
@@ -17,16 +19,25 @@ _vehicle() {
     --form) words=$forms ;;
     --method) words=$methods ;;
     --format) words="table csv json" ;;
-    --speed | --step | --rtol | --atol | --accuracy | --gravity) return ;;
-    --output) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
+    --threads) words="auto 1 2 4" ;;
+    --scheme) words="serial stages halo rows pipeline split" ;;
+    --map) words="paper body auto" ;;
+    --waiting) words="auto spin yield sleep" ;;
+    --pinning) words="cores free" ;;
+    --priority) words="normal raised fifo" ;;
+    --speed | --step | --rtol | --atol | --accuracy | --gravity | --every | --realtime) return ;;
+    --output | --trace | --timeline) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
   esac
   if [[ -z $words && $current == -* ]]; then
     case ${COMP_WORDS[1]} in
       check) words=$common ;;
       info) words="$common --gravity" ;;
-      simulate) words="$common --form --method $settings --output" ;;
+      simulate) words="$common --form --method $settings $sharing --output" ;;
       modes) words="$common --form --gravity" ;;
       validate) words="$common --form --method $settings --details" ;;
+      profile)
+        words="$common --form --method --speed --step $sharing $team --every --trace --timeline --realtime"
+        ;;
       schema) words="--help --xsd --markdown" ;;
     esac
   fi

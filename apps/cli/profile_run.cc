@@ -1,0 +1,75 @@
+#include "apps/cli/profile_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace vehicle::cli {
+namespace {
+
+constexpr int kRounds = 5;
+constexpr double kEnough = 2.0;  // [s]
+
+double secondsSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// One run; its time a step goes to `times` unless it was ended early.
+RunResult timed(const Model& model, const RunChoice& choice, StepTimes& times, const Progress& progress) {
+  RunResult result = simulate(model.vehicle, model.scenario, choice, progress);
+  if (!result.statistics.stopped && result.statistics.steps > 0) {
+    times.seconds.push_back(result.wall_seconds / static_cast<double>(result.statistics.steps));
+  }
+  return result;
+}
+
+}  // namespace
+
+double StepTimes::median() const {
+  if (seconds.empty()) return 0.0;
+  std::vector<double> sorted = seconds;
+  std::ranges::sort(sorted);
+  const std::size_t middle = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+}
+
+double StepTimes::least() const { return seconds.empty() ? 0.0 : std::ranges::min(seconds); }
+
+Profile profileOf(const Model& model, const RunChoice& choice, int every, const Progress& progress) {
+  Profile profile;
+  RunChoice serial = choice;
+  serial.threads = 1;
+  serial.scheme = "serial";
+  RunChoice plain = choice;
+  Tracer tracer(every);  // one for all rounds: after the first its memory is at hand
+  const auto begin = std::chrono::steady_clock::now();
+  double round_took = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    if (round > 0 && secondsSince(begin) + round_took > kEnough) break;
+    const auto round_begin = std::chrono::steady_clock::now();
+    const auto run = [&](const RunChoice& each, StepTimes& times, int number) {
+      RunResult result = timed(model, each, times, [&](double share) {
+        return !progress || progress((3.0 * round + number + share) / (3.0 * kRounds));
+      });
+      profile.stopped = profile.stopped || result.statistics.stopped;
+      return result;
+    };
+    const RunResult alone = run(serial, profile.serial, 0);
+    if (profile.stopped) return profile;
+    const RunResult shared = run(plain, profile.plain, 1);
+    if (profile.stopped) return profile;
+    // Where the choice was left open, the traced run and the runs after it take what was found first.
+    plain.threads = shared.threads;
+    plain.scheme = shared.scheme;
+    RunChoice watched = plain;
+    watched.team.tracer = &tracer;
+    const Decision decision = round == 0 ? shared.decision : profile.run.decision;
+    profile.run = run(watched, profile.traced, 2);
+    profile.run.decision = decision;
+    if (profile.stopped) return profile;
+    profile.trace = tracer.trace();
+    round_took = secondsSince(round_begin);
+  }
+  return profile;
+}
+
+}  // namespace vehicle::cli

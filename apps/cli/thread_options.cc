@@ -1,0 +1,98 @@
+#include "apps/cli/thread_options.h"
+
+#include <charconv>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "apps/cli/options.h"
+#include "libvehicle/partition/scheme.h"
+#include "libvehicle/partition/waiting.h"
+#include "libvehicle/simulate/thread_choice.h"
+
+namespace vehicle::cli {
+namespace {
+
+int threadsOf(const std::string& text) {
+  if (text == "auto") return 0;
+  int threads = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, threads);
+  if (error != std::errc() || stop != end || threads < 1 || threads > kMostThreads) {
+    throw CLI::ValidationError(
+        fmt::format("--threads: \"{}\" must be a whole number 1..{}, or auto", text, kMostThreads),
+        CLI::ExitCodes::ValidationError);
+  }
+  return threads;
+}
+
+void addName(CLI::App& command, const char* option, std::string& name, const std::vector<std::string>& names,
+             const char* help) {
+  command.add_option(option, name, help)->type_name("NAME")->check(oneOf(names));
+}
+
+// A table of names and what they stand for makes an option of its own type.
+template <class Value>
+void addChoice(CLI::App& command, const char* option, Value& value, const std::map<std::string, Value>& known,
+               const char* help) {
+  std::vector<std::string> names;
+  for (const auto& [name, meaning] : known) names.push_back(name);
+  command
+      .add_option_function<std::string>(
+          option, [&value, known](const std::string& name) { value = known.at(name); }, help)
+      ->type_name("NAME")
+      ->check(oneOf(names));
+}
+
+}  // namespace
+
+void addSharing(CLI::App& command, RunChoice& choice, const std::string& default_threads) {
+  command
+      .add_option_function<std::string>(
+          "--threads", [&choice](const std::string& text) { choice.threads = threadsOf(text); },
+          "threads that share the run, or auto: what a short calibration finds\nto be fastest   (default: " +
+              default_threads + ")")
+      ->type_name("N");
+  addName(command, "--scheme", choice.scheme, schemeNames(),
+          "how they share it: serial | stages | halo | pipeline (rk4), rows (exact),\n"
+          "split (rk4_split, exact_split)   (default: serial on 1 thread, else the\nfastest known for the method)");
+  addName(command, "--map", choice.map, equationMapNames(),
+          "stages, halo: who computes which equation, paper | body | auto\n(default: auto)");
+}
+
+void addTeam(CLI::App& command, TeamChoice& team) {
+  addName(command, "--waiting", team.waiting, waitingNames(),
+          "how a thread waits for another: auto | spin | yield | sleep   (default: auto)");
+  addChoice(command, "--pinning", team.pinning,
+            std::map<std::string, Pinning>{{"cores", Pinning::kCores}, {"free", Pinning::kFree}},
+            "cores: each thread stays on a core of its own as far as there are\nenough; free: the scheduler moves "
+            "them   (default: cores)");
+  addChoice(command, "--priority", team.priority,
+            std::map<std::string, Priority>{
+                {"normal", Priority::kNormal}, {"raised", Priority::kRaised}, {"fifo", Priority::kFifo}},
+            "normal | raised | fifo, as far as the system permits   (default: normal,\nwith --realtime fifo)");
+}
+
+std::vector<Fact> sharingFacts(const RunResult& result) {
+  std::vector<Fact> facts = {{"scheme", result.scheme, ""}, {"threads", static_cast<long>(result.threads), ""}};
+  if (!result.decision.reason.empty()) {
+    facts.push_back({"chosen because", result.decision.reason, ""});
+    facts.push_back({"calibration", 1e3 * result.decision.calibration, "ms"});
+  }
+  return facts;
+}
+
+Table decisionTable(const Decision& decision) {
+  Table table{"ways to run it",
+              {{"scheme", ""}, {"threads", ""}, {"predicted", "ns/step"}, {"measured", "ns/step"}, {"taken", ""}},
+              {}};
+  if (decision.reason.empty()) return table;
+  for (const Candidate& each : decision.candidates) {
+    table.rows.push_back({std::string(nameOf(each.scheme)), static_cast<long>(each.threads), 1e9 * each.predicted,
+                          each.measured > 0.0 ? Cell(1e9 * each.measured) : Cell(),
+                          each.scheme == decision.scheme && each.threads == decision.threads});
+  }
+  return table;
+}
+
+}  // namespace vehicle::cli

@@ -108,8 +108,10 @@ ExactPropagator::ExactPropagator(const Eigen::MatrixXd& A, const Eigen::MatrixXd
     turn_.push_back(std::sin(frequency * length));
   }
   increment_.resize(2 * static_cast<std::size_t>(n));
-  two_sums_ = size_ == 8 && frequencies() == 2;
-  kernel_ = two_sums_ ? &ExactPropagator::kernel<8, 2> : &ExactPropagator::generalKernel;
+  two_sums_ = (size_ == 8 || size_ == 4) && frequencies() == 2;
+  kernel_ = !two_sums_ ? &ExactPropagator::generalKernel
+            : size_ == 8 ? &ExactPropagator::kernel<8, 2>
+                         : &ExactPropagator::kernel<4, 2>;
 }
 
 void ExactPropagator::seed(double s, double* oscillators) const {

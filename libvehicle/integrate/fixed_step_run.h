@@ -36,16 +36,17 @@ inline constexpr int kStepsPerBlock = 2 * Input::kBlock;
 /// steps, apart from f(x, u).
 ///
 /// @tparam Stepper  kName, kEvaluations and step(h, u_begin, u_middle, u_end, x) as Rk4 has them
+/// @tparam Feed     feed(segment, begin, h, first, last): rows of u at the half steps of the steps first .. last-1 of
+///                  the grid that begins at `begin`, 2 (last - first) + 1 of them, valid until the next call
+/// @param width     values of a row
 /// @param x0  (n) state at the schedule's first sample
 /// @throws std::runtime_error     if a state is no longer finite at a sample or the end of a block, naming the time
 /// @throws std::invalid_argument  for a wrong step (stepsOf) or x0 (checkStart)
-template <class Stepper>
-Statistics runFixedStep(Stepper& stepper, const Input& input, const Schedule& schedule, FixedStep step,
-                        std::span<const double> x0, const Observer& observe) {
+template <class Stepper, class Feed>
+Statistics runFedSteps(Stepper& stepper, int width, Feed feed, const Schedule& schedule, FixedStep step,
+                       std::span<const double> x0, const Observer& observe) {
   checkStart(Stepper::kName, x0, stepper.size());
   std::vector<double> x(x0.begin(), x0.end());
-  const int width = 2 * input.channels();
-  std::vector<double> u((2 * static_cast<std::size_t>(kStepsPerBlock) + 1) * static_cast<std::size_t>(width));
   const std::vector<Stretch>& stretches = schedule.stretches();
 
   Statistics statistics;
@@ -59,9 +60,7 @@ Statistics runFixedStep(Stepper& stepper, const Input& input, const Schedule& sc
     int left = grid.steps;  // of this stretch
     for (int done = 0; done < total && !statistics.stopped;) {
       const int block_end = std::min(done + kStepsPerBlock, total);
-      const int values = 2 * (block_end - done) + 1;
-      input.sweep(segment, begin, 0.5 * grid.h, 2 * done, values, {u.data(), static_cast<std::size_t>(values * width)});
-      const double* row = u.data();
+      const double* row = feed(segment, begin, grid.h, done, block_end);
       while (done < block_end && !statistics.stopped) {
         for (const int pause = std::min(block_end, done + left); done < pause; ++done, --left, row += 2 * width) {
           stepper.step(grid.h, row, row + width, row + 2 * width, x.data());
@@ -78,6 +77,20 @@ Statistics runFixedStep(Stepper& stepper, const Input& input, const Schedule& sc
   }
   statistics.evaluations = Stepper::kEvaluations * statistics.steps;
   return statistics;
+}
+
+/// runFedSteps() fed by the input itself, block by block.
+template <class Stepper>
+Statistics runFixedStep(Stepper& stepper, const Input& input, const Schedule& schedule, FixedStep step,
+                        std::span<const double> x0, const Observer& observe) {
+  const int width = 2 * input.channels();
+  std::vector<double> u((2 * static_cast<std::size_t>(kStepsPerBlock) + 1) * static_cast<std::size_t>(width));
+  const auto feed = [&](int segment, double begin, double h, int first, int last) {
+    const int rows = 2 * (last - first) + 1;
+    input.sweep(segment, begin, 0.5 * h, 2 * first, rows, {u.data(), static_cast<std::size_t>(rows * width)});
+    return u.data();
+  };
+  return runFedSteps(stepper, width, feed, schedule, step, x0, observe);
 }
 
 }  // namespace vehicle

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -26,8 +27,10 @@ constexpr long kBatch = 16;
 /// States of one part on their way to the observer.
 class PartSamples {
  public:
-  PartSamples(int states, long samples) : states_(static_cast<std::size_t>(states)), samples_(samples) {
-    values_.resize(states_ * static_cast<std::size_t>(samples));
+  PartSamples(int states, long samples)
+      : states_(static_cast<std::size_t>(states)),
+        samples_(static_cast<long>(std::bit_ceil(static_cast<unsigned long>(samples)))) {
+    values_.resize(states_ * static_cast<std::size_t>(samples_));
   }
 
   [[nodiscard]] std::size_t states() const { return states_; }
@@ -60,11 +63,11 @@ class PartSamples {
   }
 
  private:
-  [[nodiscard]] std::size_t place(long sample) const { return static_cast<std::size_t>(sample % samples_) * states_; }
+  [[nodiscard]] std::size_t place(long sample) const { return static_cast<std::size_t>(sample & (samples_ - 1)) * states_; }
   double* slot(long sample) { return values_.data() + place(sample); }
 
   const std::size_t states_;
-  const long samples_;
+  const long samples_;  // a power of two: a division would cost as much as a step
   std::vector<double> values_;
   alignas(64) std::atomic<long> written_{0};
   long put_ = 0;         // the writer's

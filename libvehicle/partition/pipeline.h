@@ -14,6 +14,23 @@ struct PipelineRun {
   AheadCounts input;
 };
 
+/// A stepper whose every step is framed for the trace.
+template <class Stepper>
+struct TracedStepper {
+  static constexpr const char* kName = Stepper::kName;
+  static constexpr int kEvaluations = Stepper::kEvaluations;
+  Stepper& stepper;
+  Member& me;
+  long number = 0;
+
+  [[nodiscard]] int size() const { return stepper.size(); }
+  void step(double h, const double* u_begin, const double* u_middle, const double* u_end, double* x) {
+    me.beginStep(number);
+    stepper.step(h, u_begin, u_middle, u_end, x);
+    me.endStep(number++);
+  }
+};
+
 /// A run of fixed steps whose input is computed ahead: member 0 steps, all members compute input blocks
 /// (input_ahead.h). What is shared is the input alone: the bits of runFixedStep() for every number of threads, and at
 /// best (step + input) / threads, but never less than a step without its input.
@@ -22,41 +39,29 @@ struct PipelineRun {
 /// @param rows      the input at half steps; sweepRows() for the bits of runFixedStep()
 /// @throws as runFixedStep() and runTeam()
 template <class Stepper>
-PipelineRun runPipelined(Stepper& stepper, int channels, const BlockRows& rows, const Schedule& schedule,
+PipelineRun runPipelined(const Stepper& stepper, int channels, const BlockRows& rows, const Schedule& schedule,
                          FixedStep step, std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
-  checkStart(Stepper::kName, x0, stepper.size());
   const int width = 2 * channels;
   InputAhead ahead(schedule, step, width, rows);
   PipelineRun made;
-  Statistics& statistics = made.run.statistics;
   made.run.team = runTeam(team, [&](Member& me) {
     if (me.number() > 0) {
       ahead.help(me);
       return;
     }
-    std::vector<double> x(x0.begin(), x0.end());
-    const Stretch& start = schedule.stretches().front();
-    statistics.stopped = !observe(0, start.segment, start.begin, x);
-    const double* row = nullptr;
-    long number = 0;
-    statistics.stopped =
-        statistics.stopped ||
-        !walkSteps(
-            schedule, step, kStepsPerBlock, [&](const StepBlock& block) { row = ahead.enter(me, block); },
-            [&](double h, int) {
-              me.beginStep(number);
-              stepper.step(h, row, row + width, row + 2 * width, x.data());
-              row += 2 * width;
-              me.endStep(number++);
-            },
-            [&](const StepPause& here) {
-              statistics.steps = here.steps;
-              requireFinite(Stepper::kName, here.reached, x);
-              return here.sample < 0 || observe(here.sample, here.segment, here.end, x);
-            });
-    if (statistics.stopped) me.stopTeam();
+    const auto feed = [&](int segment, double begin, double h, int first, int last) {
+      return ahead.enter(me, {segment, begin, h, first, last});
+    };
+    // A copy of its own: what the compiler knows to be this thread's alone it keeps in registers.
+    Stepper own(stepper);
+    if (team.tracer == nullptr) {
+      made.run.statistics = runFedSteps(own, width, feed, schedule, step, x0, observe);
+    } else {
+      TracedStepper<Stepper> traced{own, me};
+      made.run.statistics = runFedSteps(traced, width, feed, schedule, step, x0, observe);
+    }
+    if (made.run.statistics.stopped) me.stopTeam();
   });
-  statistics.evaluations = Stepper::kEvaluations * statistics.steps;
   made.run.shares.emplace_back(static_cast<std::size_t>(stepper.size() / 2));
   std::iota(made.run.shares.front().begin(), made.run.shares.front().end(), 0);
   made.input = ahead.counts();

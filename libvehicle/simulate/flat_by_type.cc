@@ -15,7 +15,7 @@ namespace {
 // Runs in the form's inner order, shows in the vehicle's.
 // @param run  callable as run(input, x0, observer), all in inner order
 template <class Run>
-Statistics runInInnerOrder(const FlatForm& form, const Input& input, std::span<const double> x0,
+auto runInInnerOrder(const FlatForm& form, const Input& input, std::span<const double> x0,
                            const Observer& observe, Run run) {
   const std::array<int, 8>& order = form.stateOrder();
   std::array<double, 8> inner{};
@@ -37,6 +37,16 @@ Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& 
   return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x, const Observer& show) {
     Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
     return runFixedStep(stepper, u, schedule, step, x, show);
+  });
+}
+
+PipelineRun runFlatPipeline(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
+                            std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
+  if (form.rhs() == nullptr) return runPipeline(form, input, schedule, step, x0, observe, team);
+  checkStart("rk4", x0, form.size());
+  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x, const Observer& show) {
+    Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
+    return runPipelined(stepper, u.channels(), sweepRows(u), schedule, step, x, show, team);
   });
 }
 

@@ -183,10 +183,12 @@ void Input::evaluate(int segment, double t, std::span<double> u) const {
                                 std::to_string(2 * w) + ", or " + std::to_string(3 * w) + " with accelerations");
   }
   const auto index = static_cast<std::size_t>(segment);
-  if (channels_ == 4) {
-    evaluateRows<8>(segments_[index], index_[index], t, u.data());
-  } else {
-    evaluateRows<0>(segments_[index], index_[index], t, u.data());
+  const InputSegment& holds = segments_[index];
+  switch (channels_) {  // one vehicle, and its bounce and pitch apart
+    case 4: evaluateRows<8>(holds, index_[index], t, u.data()); break;
+    case 2: evaluateRows<4>(holds, index_[index], t, u.data()); break;
+    case 1: evaluateRows<2>(holds, index_[index], t, u.data()); break;
+    default: evaluateRows<0>(holds, index_[index], t, u.data());
   }
   if (u.size() == 3 * w) evaluateAccelerations(segments_[index], index_[index], t, u.data() + 2 * w);
 }
@@ -234,10 +236,12 @@ void Input::sweep(int segment, double t0, double dt, int first, int count, std::
                                 std::to_string(expected) + " (count x 2 channels)");
   }
   const auto index = static_cast<std::size_t>(segment);
-  if (channels_ == 4) {
-    sweepRows<8>(segments_[index], index_[index], t0, dt, first, count, u.data());
-  } else {
-    sweepRows<0>(segments_[index], index_[index], t0, dt, first, count, u.data());
+  const InputSegment& holds = segments_[index];
+  switch (channels_) {
+    case 4: sweepRows<8>(holds, index_[index], t0, dt, first, count, u.data()); break;
+    case 2: sweepRows<4>(holds, index_[index], t0, dt, first, count, u.data()); break;
+    case 1: sweepRows<2>(holds, index_[index], t0, dt, first, count, u.data()); break;
+    default: sweepRows<0>(holds, index_[index], t0, dt, first, count, u.data());
   }
 }
 

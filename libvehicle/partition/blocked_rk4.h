@@ -31,7 +31,7 @@ namespace vehicle {
 /// Constructing allocates; a step never does. Looks at set and input, which must outlive it.
 class BlockedRk4 {
  public:
-  static constexpr int kBlock = 32;  // equations of stage 1 at a time; measured, docs/theory/partition.md
+  static constexpr int kBlock = 256;  // equations of stage 1 at a time; measured, docs/theory/partition.md
 
   /// @param input  with its channels in cut order
   /// @param block  equations of stage 1 at a time, >= 1

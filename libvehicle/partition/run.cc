@@ -6,6 +6,7 @@
 
 #include "libvehicle/partition/exact_rows.h"
 #include "libvehicle/partition/halo_exchange.h"
+#include "libvehicle/partition/pipeline.h"
 #include "libvehicle/partition/stage_exchange.h"
 
 namespace vehicle {
@@ -29,10 +30,11 @@ PartitionRun runPartitioned(const System& system, const Input& input, const Sche
     case Scheme::kRows:
       return runExactRows(system, input, schedule, x0, observe, choice);
     case Scheme::kPipeline:
+      return runPipeline(system, input, schedule, step, x0, observe, choice.team).run;
     case Scheme::kSplit:
       break;
   }
-  throw std::invalid_argument(std::string("scheme ") + nameOf(choice.scheme) + " has an entry of its own");
+  throw std::invalid_argument("scheme split needs a symmetric vehicle of the flat form and has an entry of its own");
 }
 
 }  // namespace vehicle

@@ -136,6 +136,12 @@ TEST(PartitionSolvers, AStateThatBecomesInfiniteFailsAsTheSerialRunDoes) {
   }
 }
 
+// Whatever the scheme, the entry is one.
+TEST(PartitionSolvers, ThePipelineIsReachedBySchemeToo) {
+  const Problem problem(massChain(6));
+  for (const int threads : {1, 2, 3}) expectSerialBits(problem, Scheme::kPipeline, EquationMap::kAuto, threads);
+}
+
 TEST(PartitionSolvers, AnExceptionOfTheObserverReachesTheCaller) {
   const Problem problem(massChain(8));
   for (const Scheme scheme : kAll) {

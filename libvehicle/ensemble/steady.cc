@@ -23,7 +23,7 @@ using ensemble::Harmonic;
 using ensemble::Kernels;
 using ensemble::SteadyBlock;
 
-constexpr int kSamplesPerPeriod = 64;   // of the highest order; a parabola then finds peaks to a millionth
+constexpr int kSamplesPerPeriod = 64;   // of the highest order; a parabola then finds peaks to 6e-5 of it
 constexpr std::size_t kHarmonicRows = 9;  // w, real parts, imaginary parts
 
 std::string place(std::size_t rail) { return "steady ensemble: rail " + std::to_string(rail) + ": "; }

@@ -13,7 +13,8 @@ namespace vehicle {
 
 enum class SteadyPeaks {
   kNone,     // lowest and highest stay 0
-  kSampled,  // over the common period of the harmonics, which they must have (harmonicOrders)
+  kSampled,  // over the common period of the harmonics, which they must have (harmonicOrders): within 6e-5 of the
+             // amplitude of the highest order
 };
 enum class SteadyAmplitudes { kDropped, kKept };
 
@@ -41,10 +42,10 @@ struct SteadyResult {
   std::vector<SteadyFailure> failures;  // by rail, then by design
 };
 
-/// Steady state of many designs in closed form: (K + i w C - w^2 M) q = (B0 + i w B1) eta for every harmonic, one design
-/// a SIMD lane. A symmetric design (front and rear, and all axles, equal in every bit) is two complex systems of
-/// two, any other one of four. The r.m.s. is sqrt(mean^2 + sum |X|^2 / 2): exact over a common period, and the
-/// long-time value where there is none.
+/// Steady state of many designs in closed form: (K + i w C - w^2 M) q = (B0 + i w B1) eta for every harmonic, one
+/// design a SIMD lane. A symmetric design (front and rear, and all axles, equal in every bit) is two complex systems
+/// of two, any other is one of four. The r.m.s. is sqrt(mean^2 + sum |X|^2 / 2): exact over a common period, and
+/// the long-time value where there is none.
 ///
 /// Every rail is applied to every design. Each has the 4 channels of the wheels 1 to 4, harmonics, and nothing else
 /// but constant heights. A design gives the same bits in whatever company and order.
@@ -72,7 +73,7 @@ struct SpectrumLine {
 };
 
 /// A rail whose steady state has the variance of the response to a spectrum, sum of |H|^2 S df: one harmonic of
-/// amplitude sqrt(2 S df) a line, met by each wheel after its delay. Peaks of it mean nothing: the phases are not random.
+/// amplitude sqrt(2 S df) a line, met by each wheel after its delay. Its peaks mean nothing: the phases are not random.
 /// @param delay  [s] (4) by which a wheel follows the leading one
 /// @throws std::invalid_argument for a line that breaks its rule
 [[nodiscard]] InputSegment spectrumRail(std::span<const SpectrumLine> lines, const std::array<double, 4>& delay);

@@ -89,7 +89,7 @@ struct RailShape {
   std::array<double, 4> behind = {0.0, 3.0, 7.45, 10.45};         // [m] leading wheel to wheel
   std::vector<double> wavelength = {25.0, 25.0 / 3.0};            // [m]
   std::vector<double> amplitude = {5e-3, 2e-3};                   // [m]
-  double bump = 0.0;       // [m] height of a cubic that each wheel of an onset rail meets as well: b (v t')^2 (3 - 2 ..)
+  double bump = 0.0;  // [m/s^2] b of a cubic b t'^2 (1 - t'/6), t' = time that the wheel has been on the profile
 };
 
 /// Segments between the arrivals of the wheels (onset), or one segment.
@@ -121,7 +121,7 @@ inline Input railOf(const RailShape& shape) {
         segment.cosine[j * F + f] = shape.amplitude[f] * std::sin(angle);
         segment.sine[j * F + f] = shape.amplitude[f] * std::cos(angle);
       }
-      // bump t'^2 (1 - t'/6), t' = time on the profile, told about the begin of the segment
+      // The cubic, told about the begin of the segment.
       const double b = shape.bump, t = since;
       double* p = segment.polynomial.data() + 4 * j;
       p[0] = b * (t * t - t * t * t / 6.0);

@@ -34,7 +34,8 @@ void expectScalarRuns(const std::vector<EnsembleDesign>& designs, const std::vec
       }
     }
   };
-  const EnsembleResult result = shared ? runEnsemble(designs, *rails[0], run, store) : runEnsemble(designs, rails, run, store);
+  const EnsembleResult result =
+      shared ? runEnsemble(designs, *rails[0], run, store) : runEnsemble(designs, rails, run, store);
   ASSERT_TRUE(result.failures.empty());
   const int first = static_cast<int>(std::ceil(run.settle / run.output_step - 1e-9));
   for (std::size_t i = 0; i < designs.size(); ++i) {
@@ -90,7 +91,8 @@ TEST_P(Lanes, GiveTheScalarRunOverARailEach) {
 TEST_P(Lanes, EndStepsOnTheKinksOfEachOnset) {
   std::vector<Input> inputs;
   for (int i = 0; i < 11; ++i) {
-    RailShape shape{.speed = 15.0 + 3.1 * i, .end = 1.2 + 0.1 * i, .onset = i % 3 != 2, .bump = i % 2 == 0 ? 0.02 : 0.0};
+    RailShape shape{.speed = 15.0 + 3.1 * i, .end = 1.2 + 0.1 * i, .onset = i % 3 != 2};
+    if (i % 2 == 0) shape.bump = 0.02;
     if (i % 4 == 1) {
       shape.wavelength = {31.0};
       shape.amplitude = {4e-3};

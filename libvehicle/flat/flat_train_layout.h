@@ -2,18 +2,11 @@
 
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
+#include "libvehicle/definition/topology_part.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/flat/flat_layout.h"
 
 namespace vehicle {
-
-/// One vehicle of a train cut out of its topology, with its indices there. Coordinates are counted anew; points and
-/// couplings are left out.
-struct TopologyPart {
-  Topology topology;
-  std::vector<int> bodies, wheelsets, suspensions;  // of each part: its index in the whole
-};
 
 /// A flat vehicle in a train.
 struct FlatTrainVehicle {
@@ -38,11 +31,8 @@ struct FlatTrainReading {
 [[nodiscard]] bool isTrain(const Vehicle& vehicle, const Topology& topology);
 
 /// Takes the train apart: couplings are suspensions between bodies that stand on other bodies and on no wheelset; what
-/// holds together without them is a vehicle.
-[[nodiscard]] std::vector<TopologyPart> partsOfTrain(const Topology& topology);
-
-/// Reads each vehicle as readLayout() does and the chain of couplings between them. Of vehicles from the same lines
-/// of a file one is told.
+/// holds together without them is a vehicle. Reads each as readLayout() does, and the chain of couplings between them.
+/// Of vehicles from the same lines of a file one is told.
 [[nodiscard]] FlatTrainReading readTrainLayout(const Vehicle& vehicle, const Topology& topology);
 
 }  // namespace vehicle

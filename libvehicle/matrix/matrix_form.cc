@@ -4,15 +4,12 @@
 #include <vector>
 
 #include "libvehicle/matrix/assembly.h"
+#include "libvehicle/matrix/matrix_equation_set.h"
 
 namespace vehicle {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-// Rows of A and B are walked from left to right at every evaluation.
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
 class AssembledForm final : public MatrixForm {
  public:
@@ -20,14 +17,9 @@ class AssembledForm final : public MatrixForm {
       : topology_(std::move(topology)),
         rest_(restOf(topology_, gravity)),
         matrices_(assemble(topology_, rest_)),
+        equations_(topology_, matrices_),
         states_(stateChannels(topology_)),
         outputs_(resultChannels(topology_)) {
-    const Eigen::Index n = topology_.coordinates;
-    const Eigen::VectorXd inverse_mass = matrices_.M.diagonal().cwiseInverse();
-    from_state_.resize(n, 2 * n);
-    from_state_ << -(inverse_mass.asDiagonal() * matrices_.K), -(inverse_mass.asDiagonal() * matrices_.C);
-    from_input_.resize(n, 2 * matrices_.B0.cols());
-    from_input_ << inverse_mass.asDiagonal() * matrices_.B0, inverse_mass.asDiagonal() * matrices_.B1;
     for (const TopologySuspension& suspension : topology_.suspensions) {
       elongations_.push_back(elongationOf(suspension, topology_));
     }
@@ -41,13 +33,17 @@ class AssembledForm final : public MatrixForm {
   int channels() const override { return static_cast<int>(topology_.wheelsets.size()); }
   const std::vector<Channel>& states() const override { return states_; }
   const std::vector<Channel>& outputs() const override { return outputs_; }
-  const SecondOrder& matrices() const override { return matrices_; }
+  const EquationSet* equations() const override { return &equations_; }
+  SecondOrder matrices() const override {
+    requireDense("matrix", size());
+    return withZeros(matrices_, channels());
+  }
 
   void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {
-    const Eigen::Index n = topology_.coordinates;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      dx[static_cast<std::size_t>(i)] = x[static_cast<std::size_t>(n + i)];
-      dx[static_cast<std::size_t>(n + i)] = acceleration(i, x, u);
+    const int n = topology_.coordinates;
+    for (int i = 0; i < n; ++i) {
+      dx[at(i)] = x[at(n + i)];
+      dx[at(n + i)] = equations_.acceleration(i, x.data(), u.data());
     }
   }
 
@@ -69,32 +65,31 @@ class AssembledForm final : public MatrixForm {
   }
 
   std::optional<StateSpace> linear() const override {
+    const SecondOrder dense = matrices();
     const Eigen::Index n = topology_.coordinates;
-    const Eigen::Index w = matrices_.B0.cols();
+    const Eigen::Index w = dense.B0.cols();
+    const Eigen::VectorXd inverse_mass = dense.M.diagonal().cwiseInverse();
     StateSpace made{Eigen::MatrixXd::Zero(2 * n, 2 * n), Eigen::MatrixXd::Zero(2 * n, 2 * w)};
     made.A.topRightCorner(n, n).setIdentity();
-    made.A.bottomRows(n) = from_state_;
-    made.B.bottomRows(n) = from_input_;
+    made.A.bottomRows(n) << -(inverse_mass.asDiagonal() * dense.K), -(inverse_mass.asDiagonal() * dense.C);
+    made.B.bottomRows(n) << inverse_mass.asDiagonal() * dense.B0, inverse_mass.asDiagonal() * dense.B1;
     return made;
   }
 
  private:
-  double acceleration(Eigen::Index i, std::span<const double> x, std::span<const double> u) const {
-    // x and u may be longer than needed (accelerations of the rail behind): the maps take what the matrices have.
-    return from_state_.row(i).dot(ConstVector(x.data(), from_state_.cols())) +
-           from_input_.row(i).dot(ConstVector(u.data(), from_input_.cols()));
-  }
-
   /// Displacement (order 0), velocity (1) or acceleration (2) of a coordinate; 0 where it does not move.
   double motion(int index, int order, std::span<const double> x, std::span<const double> u) const {
     if (index < 0) return 0.0;
-    return order < 2 ? x[at(index + order * topology_.coordinates)] : acceleration(index, x, u);
+    return order < 2 ? x[at(index + order * topology_.coordinates)]
+                     : equations_.acceleration(index, x.data(), u.data());
   }
 
   /// Elongation (order 0) or its rate (1), dynamic part.
   double elongation(std::size_t s, std::span<const double> x, std::span<const double> u, int order) const {
     const Elongation& each = elongations_[s];
-    const double bodies = each.row.dot(ConstVector(x.data() + order * topology_.coordinates, topology_.coordinates));
+    const double* q = x.data() + order * topology_.coordinates;
+    double bodies = 0.0;
+    for (int i = 0; i < each.count; ++i) bodies += each.terms[at(i)].arm * q[each.terms[at(i)].q];
     return each.channel < 0 ? bodies : bodies - u[at(each.channel + order * channels())];
   }
 
@@ -130,11 +125,10 @@ class AssembledForm final : public MatrixForm {
 
   Topology topology_;
   Rest rest_;
-  SecondOrder matrices_;
+  SparseSecondOrder matrices_;
+  MatrixEquationSet equations_;
   std::vector<Channel> states_;
   std::vector<Channel> outputs_;
-  Rows from_state_;  // (N x 2 N) [-M^-1 K, -M^-1 C]
-  Rows from_input_;  // (N x 2 w) [M^-1 B0, M^-1 B1]
   std::vector<Elongation> elongations_;              // (suspensions)
   std::vector<std::vector<int>> wheel_suspensions_;  // (wheelsets) those that stand on it
 };

@@ -10,6 +10,8 @@
 
 #include <Eigen/QR>
 
+#include "libvehicle/definition/topology_part.h"
+
 namespace vehicle {
 namespace {
 
@@ -74,6 +76,7 @@ Balance suspensionBalance(const Topology& topology, double gravity, const std::v
 /// Least deflections that satisfy the balance; motions without any spring stay at 0.
 Eigen::VectorXd solve(const Balance& balance) {
   const Eigen::Index n = balance.force.size();
+  if (n == 0) return {};
   Eigen::VectorXd scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double k = balance.stiffness(i, i);
@@ -173,12 +176,8 @@ double largestChange(const std::vector<double>& now, const std::vector<double>& 
   return change;
 }
 
-}  // namespace
-
-Rest restOf(const Topology& topology, double gravity) {
-  if (!(gravity >= 0.0 && std::isfinite(gravity))) {
-    throw std::invalid_argument("restOf: gravity = " + number(gravity) + ", must be finite and >= 0");
-  }
+/// The rest position of what hangs together.
+Rest restOfPart(const Topology& topology, double gravity) {
   std::vector<Eigen::VectorXd> rows;
   rows.reserve(topology.suspensions.size());
   double weight = 0.0;
@@ -239,6 +238,57 @@ Rest restOf(const Topology& topology, double gravity) {
             ? *wheelset.contact_stiffness
             : 1.5 * std::cbrt(std::pow(wheelset.hertz_constant.value_or(0.0), 2.0) * rest.wheel_load[j]);
   }
+  return rest;
+}
+
+/// Puts what a part says where it belongs in the whole.
+void put(const TopologyPart& part, const Topology& whole, const Rest& from, Rest& to) {
+  const auto move = [&](int here, int there) {
+    if (here >= 0) to.coordinates[at(there)] = from.coordinates[at(here)];
+  };
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    const TopologyBody& body = whole.bodies[at(part.bodies[b])];
+    move(part.topology.bodies[b].z_index, body.z_index);
+    move(part.topology.bodies[b].pitch_index, body.pitch_index);
+    to.pitch_stiffness[at(part.bodies[b])] = from.pitch_stiffness[b];
+  }
+  for (std::size_t j = 0; j < part.wheelsets.size(); ++j) {
+    move(part.topology.wheelsets[j].z_index, whole.wheelsets[at(part.wheelsets[j])].z_index);
+    to.wheel_load[at(part.wheelsets[j])] = from.wheel_load[j];
+    to.contact_stiffness[at(part.wheelsets[j])] = from.contact_stiffness[j];
+  }
+  for (std::size_t s = 0; s < part.suspensions.size(); ++s) {
+    to.suspension_load[at(part.suspensions[s])] = from.suspension_load[s];
+  }
+}
+
+}  // namespace
+
+Rest restOf(const Topology& topology, double gravity) {
+  if (!(gravity >= 0.0 && std::isfinite(gravity))) {
+    throw std::invalid_argument("restOf: gravity = " + number(gravity) + ", must be finite and >= 0");
+  }
+  // A suspension that is given no load takes no part in the balance: the vehicles of a train rest each for itself, and
+  // the work grows with their number instead of its cube.
+  std::vector<char> cut;
+  for (const TopologySuspension& each : topology.suspensions) cut.push_back(each.preload == 0.0 ? 1 : 0);
+  const std::vector<TopologyPart> parts = partsOf(topology, cut);
+  if (parts.size() == 1) return restOfPart(topology, gravity);
+  Rest rest;
+  rest.coordinates.assign(at(topology.coordinates), 0.0);
+  rest.suspension_load.assign(topology.suspensions.size(), 0.0);
+  rest.wheel_load.assign(topology.wheelsets.size(), 0.0);
+  rest.pitch_stiffness.assign(topology.bodies.size(), 0.0);
+  rest.contact_stiffness.assign(topology.wheelsets.size(), 0.0);
+  ProblemList problems;
+  for (const TopologyPart& part : parts) {
+    try {
+      put(part, topology, restOfPart(part.topology, gravity), rest);
+    } catch (const InvalidInput& wrong) {
+      problems.append(wrong.problems());
+    }
+  }
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
   return rest;
 }
 

@@ -27,6 +27,7 @@ constexpr Header kHeaders[] = {
     {"hdf5.h", "vehicle_hdf5"},
     {"hwloc.h", "vehicle_hwloc"},
     {"H5", "vehicle_hdf5"},
+    {"boost/", "Boost::headers"},
     {"sqlite3.h", "SQLite::SQLite3"},
     {"tinyxml2.h", "tinyxml2::tinyxml2"},
     {"fmt/", "fmt::fmt"},

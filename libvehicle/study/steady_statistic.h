@@ -1,0 +1,33 @@
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "libvehicle/definition/metric.h"
+
+namespace vehicle {
+
+/// Statistics of a periodic motion x(t) = mean + sum_f Re[ X_f e^(i w_f t) ].
+///
+/// r.m.s. and bands come from the amplitudes; what needs samples takes them over one common period of the harmonics,
+/// extremes with a parabola through the largest and its neighbours.
+class SteadyStatistic {
+ public:
+  /// @param angular_frequency  [rad/s] (F) > 0, distinct
+  explicit SteadyStatistic(std::span<const double> angular_frequency);
+
+  /// @param amplitudes  (F)
+  /// @throws std::domain_error  where samples are needed and the harmonics have no common period
+  [[nodiscard]] double operator()(const Metric& metric, double mean, std::span<const std::complex<double>> amplitudes);
+
+ private:
+  void sample(double mean, std::span<const std::complex<double>> amplitudes);
+  [[nodiscard]] double highest(double sign) const;
+
+  std::vector<double> angular_frequency_;
+  std::vector<double> circle_;  // cos, sin of the orders, shape (samples x F x 2); empty without common period
+  std::vector<double> values_;
+};
+
+}  // namespace vehicle

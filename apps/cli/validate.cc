@@ -81,6 +81,8 @@ Action addValidate(CLI::App& program) {
   add_names("--method", options->choice.methods, methodNames(),
             "only this method; may be given several times   (default: all)");
   addRunSettings(*command, options->choice.run);
+  command->add_flag_callback("--serial", [options] { options->choice.shared.clear(); },
+                             "no runs shared among threads   (default: the flat form's beside their serial runs)");
   command->add_flag("--details", options->details,
                     "table: every quantity of every run and every pair   (csv and json: always)");
   addCommonOptions(*command, options->common);

@@ -73,7 +73,7 @@ VectorXd roundingOf(const CaseSize& the_case, const RunKey& run) {
   const MotionSize& motion = the_case.motion;
   const Index wheels2 = sensitivity.matrices.B.cols();
   VectorXd rate(motion.state.size());
-  if (run.method == "exact") {
+  if (isExact(run.method)) {
     // A matrix exponential is good to some ulps of the whole state, not of each entry, and the same matrix acts
     // at every sample: its error is systematic.
     const Index half = motion.state.size() / 2;
@@ -127,8 +127,8 @@ VectorXd stepTolerance(const CaseSize& the_case, const RunKey& run) {
 
 VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, const VectorXd& step_difference) {
   const Sensitivity& sensitivity = the_case.sensitivity;
-  if (run.method == "exact") return VectorXd::Zero(sensitivity.C.rows());
-  if (run.method == "rk4") {
+  if (isExact(run.method)) return VectorXd::Zero(sensitivity.C.rows());
+  if (isRk4(run.method)) {
     // Order 4: err(h) = 16/15 |y(h) - y(h/2)|, err(h/2) = 1/15 of it. A method that has lost its order has a
     // larger err(h/2) and falls outside there.
     return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : 1.0 / 15.0) * step_difference;
@@ -186,7 +186,7 @@ VectorXd geometryOf(const CaseSize& the_case) {
 bool hasTrueGeometry(const std::string& form) { return isSimbodyForm(form) && !isLinearForm(form); }
 
 std::string integrationWords(const RunKey& run) {
-  if (run.method == "rk4") return fmt::format("rk4 at {:.4g} ms, by Richardson", 1e3 * run.step / run.refine);
+  if (isRk4(run.method)) return fmt::format("rk4 at {:.4g} ms, by Richardson", 1e3 * run.step / run.refine);
   if (run.method == "dopri5") return fmt::format("dopri5 at {:.0e}", run.relative);
   return fmt::format("simbody_rkm at {:.0e}", run.accuracy);
 }
@@ -214,7 +214,18 @@ const char* nameOf(Source source) {
   return "";
 }
 
-std::string RunKey::text() const { return fmt::format("{} {}{}", form, method, refine == 1 ? "" : " h/2"); }
+std::string RunKey::text() const {
+  return fmt::format("{} {}{}{}", form, method, scheme.empty() ? "" : fmt::format(" {} x{}", scheme, threads),
+                     refine == 1 ? "" : " h/2");
+}
+
+bool isRk4(const std::string& method) { return method == "rk4" || method == "rk4_split"; }
+bool isExact(const std::string& method) { return method == "exact" || method == "exact_split"; }
+
+bool haveEqualBits(const RunKey& a, const RunKey& b) {
+  return (!a.scheme.empty() || !b.scheme.empty()) && a.form == b.form && a.method == b.method && a.step == b.step &&
+         a.refine == b.refine;
+}
 
 RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, const VectorXd& step_difference) {
   RunSize size;
@@ -228,9 +239,10 @@ RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, const VectorXd& s
 Expectation expectationOf(const CaseSize& the_case, const RunKey& a, const RunSize& a_size, const RunKey& b,
                           const RunSize& b_size) {
   const bool same_method = a.method == b.method;
-  const bool same_steps = same_method && a.method == "rk4" && a.step == b.step && a.refine == b.refine;
+  const bool same_steps = isRk4(a.method) && isRk4(b.method) && a.step == b.step && a.refine == b.refine;
   const bool same_geometry = hasTrueGeometry(a.form) == hasTrueGeometry(b.form);
   const VectorXd zero = VectorXd::Zero(a_size.rounding.size());
+  if (haveEqualBits(a, b)) return {zero, zero, Source::kRounding, "equal bits: shared among threads in another way"};
 
   Expectation made;
   made.rounding = a_size.rounding + b_size.rounding;

@@ -29,9 +29,19 @@ struct RunKey {
   double absolute = 0.0;  // dopri5
   double accuracy = 0.0;  // simbody_rkm
   long steps = 0;         // taken
-  /// "flat rk4", "mbs simbody_rkm", "matrix rk4 h/2"
+  std::string scheme;     // of a run shared among threads; empty: serial
+  int threads = 1;
+  /// "flat rk4", "mbs simbody_rkm", "matrix rk4 h/2", "flat rk4 stages x4"
   [[nodiscard]] std::string text() const;
 };
+
+/// rk4 and rk4_split: the same steps and the same integration error, in other coordinates.
+[[nodiscard]] bool isRk4(const std::string& method);
+/// exact and exact_split.
+[[nodiscard]] bool isExact(const std::string& method);
+
+/// Whether two runs are the same computation, shared among threads in different ways: their bits must be equal.
+[[nodiscard]] bool haveEqualBits(const RunKey& a, const RunKey& b);
 
 /// What one run may be away from the true solution of its own equations, and from the linear equations;
 /// (outputs), in each column's unit.
@@ -55,7 +65,8 @@ struct Expectation {
 };
 
 /// The sum of both sides' sizes, except what both sides share: the same rk4 steps make the same integration error,
-/// the same method rounds the rail alike, and two forms of true geometry leave nothing out.
+/// the same method rounds the rail alike, and two forms of true geometry leave nothing out. Zero where the bits must be
+/// equal.
 [[nodiscard]] Expectation expectationOf(const CaseSize& the_case, const RunKey& a, const RunSize& a_size,
                                         const RunKey& b, const RunSize& b_size);
 

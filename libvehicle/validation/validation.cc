@@ -82,7 +82,10 @@ class Case {
         if (!isPrintedVariant(form)) forms.push_back(form);
       }
     }
-    const std::vector<std::string>& methods = choice_.methods.empty() ? generalMethodNames() : choice_.methods;
+    // A method that asks for a symmetric vehicle is run on the form where it can be, and else only said not to fit if
+    // somebody named it.
+    const bool all = choice_.methods.empty();
+    const std::vector<std::string>& methods = all ? methodNames() : choice_.methods;
     for (const std::string& form : forms) {
       if (const ProblemList misfits = formMisfits(form, vehicle_); !misfits.empty()) {
         report_.misfits.push_back({form, "", misfits[0].message});
@@ -90,8 +93,8 @@ class Case {
       }
       bool runs = false;
       for (const std::string& method : methods) {
-        if (const std::string misfit = methodMisfit(method, form); !misfit.empty()) {
-          report_.misfits.push_back({form, method, misfit});
+        if (const std::string misfit = methodMisfit(method, form, vehicle_, scenario_.gravity); !misfit.empty()) {
+          if (!all || !isSplitMethod(method)) report_.misfits.push_back({form, method, misfit});
         } else {
           planMethod(form, method);
           runs = true;
@@ -107,13 +110,13 @@ class Case {
   }
 
   void planMethod(const std::string& form, const std::string& method) {
-    if (method != "rk4") {
-      add(form, method, 1, choice_.run.step);
-      return;
-    }
-    const double step = stepOf(form);
+    const double step = isRk4(method) ? stepOf(form) : choice_.run.step;
     add(form, method, 1, step);
-    add(form, method, 2, step);
+    if (isRk4(method)) add(form, method, 2, step);
+    if (form != "flat") return;
+    for (const SharedColumn& column : choice_.shared) {
+      if (column.method == method) add(form, method, 1, step, &column);
+    }
   }
 
   /// The step asked for, or the one that resolves the fastest mode if that is smaller.
@@ -131,13 +134,29 @@ class Case {
     return *own.rk4_step;
   }
 
-  void add(const std::string& form, const std::string& method, int refine, double step) {
-    for (const ValidationRun& run : report_.runs) {
-      if (run.key.form == form && run.key.method == method && run.key.refine == refine) return;
-    }
+  void add(const std::string& form, const std::string& method, int refine, double step,
+           const SharedColumn* shared = nullptr) {
     ValidationRun run;
-    run.key = {form, method, refine, step, choice_.run.relative, choice_.run.absolute, choice_.run.accuracy, 0};
+    run.key = {form, method, refine, step, choice_.run.relative, choice_.run.absolute, choice_.run.accuracy, 0, {}, 1};
+    if (shared != nullptr) {
+      run.key.scheme = shared->scheme;
+      run.key.threads = isSplitMethod(method) ? shared->threads : std::min(shared->threads, equationsOfFlat());
+      run.map = shared->map == "paper" && equationsOfFlat() != 4 ? "auto" : shared->map;
+    }
+    const std::string text = run.key.text();
+    for (const ValidationRun& known : report_.runs) {
+      if (known.key.text() == text) return;
+    }
     report_.runs.push_back(std::move(run));
+  }
+
+  int equationsOfFlat() {
+    if (!flat_equations_) {
+      const std::unique_ptr<System> flat = buildForm("flat", vehicle_, scenario_.gravity);
+      const EquationSet* cut = flat->equations();
+      flat_equations_ = cut != nullptr ? static_cast<int>(cut->equations().size()) : 1;
+    }
+    return *flat_equations_;
   }
 
   /// Of the run [s]; a rig has no speed and gives its duration. Only asked where the scenario is right.
@@ -161,6 +180,9 @@ class Case {
     choice.method = run.key.method;
     choice.refine = run.key.refine;
     choice.step = run.key.step;
+    choice.threads = run.key.threads;
+    choice.scheme = run.key.scheme.empty() ? nameOf(Scheme::kSerial) : run.key.scheme;
+    choice.map = run.map;
     histories_.emplace_back();
     const double runs = static_cast<double>(report_.runs.size());
     const auto report_progress = [&](double share) {
@@ -174,6 +196,9 @@ class Case {
       RunResult result = simulate(vehicle_, scenario_, choice, report_progress);
       run.statistics = result.statistics;
       run.key.steps = result.statistics.steps;
+      // Told is what ran, whatever was asked for.
+      run.key.scheme = result.scheme == nameOf(Scheme::kSerial) ? "" : result.scheme;
+      run.key.threads = result.threads;
       run.wall_seconds = result.wall_seconds;
       report_.stopped = result.statistics.stopped;
       histories_.back() = std::move(result.history);
@@ -199,7 +224,9 @@ class Case {
   [[nodiscard]] std::optional<std::size_t> find(const std::string& form, const std::string& method, int refine) const {
     for (std::size_t i = 0; i < report_.runs.size(); ++i) {
       const RunKey& key = report_.runs[i].key;
-      if (key.form == form && key.method == method && key.refine == refine && finished(i)) return i;
+      if (key.form == form && key.method == method && key.refine == refine && key.scheme.empty() && finished(i)) {
+        return i;
+      }
     }
     return std::nullopt;
   }
@@ -251,12 +278,12 @@ class Case {
       if (!finished(i)) continue;
       const RunKey& key = report_.runs[i].key;
       Eigen::VectorXd step_difference;
-      if (key.method == "rk4") {
+      if (isRk4(key.method)) {
         const auto other = find(key.form, key.method, 3 - key.refine);
         step_difference = largestDifference(histories_[i], histories_[other.value_or(i)]);
       }
       sizes[i] = sizeOfRun(sizeFor(i), key, step_difference);
-      if (key.method == "rk4" && histories_[i].samples() < kFewSamples) {
+      if (isRk4(key.method) && histories_[i].samples() < kFewSamples) {
         sizes[i] = sizeOfRun(sizeFor(i), key, liftedFromZeros(step_difference, sizeFor(i), sizes[i].rounding));
       }
     }
@@ -273,7 +300,7 @@ class Case {
     const RunKey& b = report_.runs[j].key;
     if (a.refine != 1) return false;
     if (b.refine == 1) return true;
-    return a.method == "exact" && isLinearForm(b.form) && equationsOf(a.form) == equationsOf(b.form) &&
+    return a.method == "exact" && a.scheme.empty() && isLinearForm(b.form) && equationsOf(a.form) == equationsOf(b.form) &&
            (i == 0 || isPrintedVariant(a.form));
   }
 
@@ -317,6 +344,7 @@ class Case {
   ValidationReport report_;
   std::vector<TimeHistory> histories_;  // shape (runs)
   std::vector<Equations> equations_;
+  std::optional<int> flat_equations_;   // into which the flat form can be cut
 };
 
 }  // namespace

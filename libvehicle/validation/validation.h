@@ -13,11 +13,23 @@
 
 namespace vehicle {
 
+/// A method of the flat form shared among threads: a column of its own.
+struct SharedColumn {
+  std::string method;
+  std::string scheme;
+  int threads = 1;  // fewer where the vehicle has fewer equations
+  std::string map;  // "paper" falls back to "auto" where the vehicle is not that of the paper
+};
+/// The source paper's four threads; halo and pipeline on two; exact by rows on two; bounce and pitch apart on two.
+[[nodiscard]] const std::vector<SharedColumn>& usualSharedColumns();
+
 /// Which forms and methods are set against each other, and with which settings.
 struct ValidationChoice {
   std::vector<std::string> forms;    // empty: all but the printed variants
-  std::vector<std::string> methods;  // empty: all
-  RunChoice run;                     // speed, step and tolerances of every run; form, method and refine are not read
+  std::vector<std::string> methods;  // empty: all, those in bounce and pitch coordinates where the vehicle is symmetric
+  RunChoice run;                     // speed, step and tolerances of every run; form, method, refine and threads are
+                                     // not read
+  std::vector<SharedColumn> shared = usualSharedColumns();  // each beside its serial run, where that is run
 };
 
 struct ValidationRun {
@@ -25,6 +37,7 @@ struct ValidationRun {
   Statistics statistics;
   double wall_seconds = 0.0;
   std::optional<double> order;  // rk4 at half the step: log2 of the ratio of the errors, seen against `exact`
+  std::string map = "auto";     // who computes which equation, of a run shared among threads
   std::string failure;          // why it has no result; empty if it has one
 };
 
@@ -57,7 +70,8 @@ using ValidationProgress = std::function<bool(double share, const std::string& w
 /// Runs every form by every method that fits and compares all pairs by the tolerance ledger (ledger.h).
 ///
 /// The exact solution of the matrix form is always there as the reference, and each rk4 run brings one at half the
-/// step, whose error must have fallen as order 4 demands. A chosen form that no chosen method can integrate
+/// step, whose error must have fallen as order 4 demands. A run shared among threads must have the bits of its serial
+/// one. A chosen form that no chosen method can integrate
 /// is run by its default method, with a note.
 /// @throws InvalidInput           vehicle or scenario is wrong
 /// @throws std::invalid_argument  a form or method that does not exist, a wrong setting, or histories that together

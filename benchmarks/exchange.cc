@@ -3,6 +3,9 @@
 //
 // The floor is the time a cache line takes from one core to another, measured in the same run by two threads that
 // answer each other ("line_one_way": half a round trip). The last table gives every policy as a multiple of it.
+//
+// A step of Runge-Kutta exchanges four times: "step_of_4_exchanges" is what it costs before anything is computed, and
+// what a trace of every step or of every 16th adds to it; its floor is four ways of a line.
 
 #include <pthread.h>
 
@@ -35,17 +38,34 @@ double timeOf(TeamChoice choice, Meet meet) {
   return took;
 }
 
+void showAndLook(Exchange& exchange, Member& me, long epoch) {
+  *exchange.slot(me.number(), epoch) = static_cast<double>(epoch);
+  exchange.publish(me, epoch);
+  for (int other = 0; other < me.threads(); ++other) {
+    if (other == me.number()) continue;
+    const double seen = *exchange.await(me, other, epoch);
+    if (seen != static_cast<double>(epoch)) throw std::logic_error("a wrong value was delivered");
+  }
+}
+
 double ours(int threads, const std::string& waiting) {
   Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 1));
-  return timeOf({.threads = threads, .waiting = waiting}, [&](Member& me, long epoch) {
-    *exchange.slot(me.number(), epoch) = static_cast<double>(epoch);
-    exchange.publish(me, epoch);
-    for (int other = 0; other < threads; ++other) {
-      if (other == me.number()) continue;
-      const double seen = *exchange.await(me, other, epoch);
-      if (seen != static_cast<double>(epoch)) throw std::logic_error("a wrong value was delivered");
-    }
+  return timeOf({.threads = threads, .waiting = waiting},
+                [&](Member& me, long epoch) { showAndLook(exchange, me, epoch); });
+}
+
+double stepOfFour(int threads, Tracer* tracer) {
+  Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 1));
+  return timeOf({.threads = threads, .tracer = tracer}, [&](Member& me, long step) {
+    me.beginStep(step);
+    for (long epoch = 4 * step - 3; epoch <= 4 * step; ++epoch) showAndLook(exchange, me, epoch);
+    me.endStep(step);
   });
+}
+
+double tracedStep(int threads, int every) {
+  Tracer tracer(every);
+  return stepOfFour(threads, &tracer);
 }
 
 double stdBarrier(int threads) {
@@ -95,7 +115,8 @@ double lineOneWay() {
 const bool kRegistered = registerForThreads([](const std::vector<int>& thread_counts) {
   const int cores = static_cast<int>(allowedCores().size());
   for (const int threads : thread_counts) {
-    const std::string problem = "exchange_" + std::to_string(threads) + "_threads_" + std::to_string(cores) + "_cores/";
+    const std::string where = std::to_string(threads) + "_threads_" + std::to_string(cores) + "_cores/";
+    std::string problem = "exchange_" + where;
     const auto add = [&](const std::string& solver, auto batch) {
       compare((problem + solver).c_str(),
               [=](benchmark::State& state) { measureWall(state, threads, kExchanges, batch); });
@@ -108,6 +129,12 @@ const bool kRegistered = registerForThreads([](const std::vector<int>& thread_co
     add("std_atomic_wait", [=] { return atomicWait(threads); });
     add("pthread_barrier", [=] { return pthreadBarrier(threads); });
     if (cores >= 2) add("line_one_way", [] { return lineOneWay(); });
+
+    problem = "step_of_4_exchanges_" + where;
+    add("ours", [=] { return stepOfFour(threads, nullptr); });
+    add("ours_traced_every_16th", [=] { return tracedStep(threads, 16); });
+    add("ours_traced_every_step", [=] { return tracedStep(threads, 1); });
+    if (cores >= 2) add("four_lines_one_way", [] { return 4.0 * lineOneWay(); });
   }
 });
 

@@ -98,14 +98,14 @@ TEST(ArchitectureChecker, NamesLibrariesOutsideTheirRooms) {
   const Tree tree;
   tree.put("libvehicle/units/a.cc", "#include <fmt/format.h>\n#include <cmath>\n#include <sys/stat.h>\n");
   tree.put("libvehicle/xml/a.cc", "#include <tinyxml2.h>\n#include <Eigen/Core>\n#include <CLI/CLI.hpp>\n");
-  tree.put("libvehicle/run/a.cc", "#include <Eigen/Dense>\n#include <Simbody.h>\n#include <boost/any.hpp>\n");
+  tree.put("libvehicle/run/a.cc", "#include <Eigen/Dense>\n#include <Simbody.h>\n#include <gsl/gsl_math.h>\n");
   tree.put("libvehicle/mbs/a.cc", "#include <Simbody.h>\n#include <experimental/simd>\n");
   tree.put("apps/cli/main.cc", "#include <CLI/CLI.hpp>\n#include \"libvehicle/units/quantity.h\"\n");
   EXPECT_EQ(lines(wrongIncludes(tree.root())),
             "libvehicle/mbs/a.cc:1: <Simbody.h> belongs in libvehicle/mbs/simbody_model.cc alone\n"
             "libvehicle/mbs/a.cc:2: <experimental/simd> belongs in libvehicle/ensemble/kernel.inc alone\n"
             "libvehicle/run/a.cc:2: room run does not declare vehicle_simbody (<Simbody.h>)\n"
-            "libvehicle/run/a.cc:3: <boost/any.hpp> is unknown; name its library in tests/architecture/layering.cc\n"
+            "libvehicle/run/a.cc:3: <gsl/gsl_math.h> is unknown; name its library in tests/architecture/layering.cc\n"
             "libvehicle/units/a.cc:1: room units does not declare fmt::fmt (<fmt/format.h>)\n"
             "libvehicle/xml/a.cc:2: room xml does not declare Eigen3::Eigen (<Eigen/Core>)\n"
             "libvehicle/xml/a.cc:3: <CLI/CLI.hpp> belongs in apps/ alone\n");

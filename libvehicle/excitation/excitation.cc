@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -146,6 +147,35 @@ std::vector<double> cut(std::vector<Passage>& passages, const std::vector<double
   return borders;
 }
 
+// Refuses what would fill the memory, before it does.
+void checkSize(const Track& track, const std::vector<Passage>& passages, std::size_t segments, std::size_t wheels) {
+  std::set<double> wavenumbers;
+  std::vector<double> terms(segments + 1, 0.0);  // of each segment: first where they come and go, then summed up
+  for (const Passage& each : passages) {
+    for (const RailWave& wave : each.piece->waves) wavenumbers.insert(wave.wavenumber);
+    if (each.first >= segments) continue;
+    terms[each.first] += static_cast<double>(each.piece->waves.size());
+    terms[std::min(each.last, segments)] -= static_cast<double>(each.piece->waves.size());
+  }
+  double values = 0.0;
+  double active = 0.0;
+  for (std::size_t i = 0; i < segments; ++i) {
+    active += terms[i];
+    const double frequencies = std::min(active, static_cast<double>(wavenumbers.size()));
+    // As told and as packed for the sums: two and four numbers a frequency, four and eight of the polynomial.
+    values += static_cast<double>(wheels) * (6.0 * frequencies + 3.0 * InputSegment::kPolynomial);
+  }
+  const double bytes = values * sizeof(double);
+  if (bytes <= kMostInputBytes) return;
+  constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
+  refuse(track.origin, "<scenario><track>",
+         fmt::format("{} wheelsets meet the rail's kinks one by one: {} pieces of input would take {:.3g} GiB; must be "
+                     "at most {:.3g} GiB",
+                     wheels, segments, bytes / kGibibyte, kMostInputBytes / kGibibyte),
+         track.history == History::kOnset ? "take history=\"extended\", or a shorter train or run"
+                                          : "take a shorter train or run, or fewer dips and ramps");
+}
+
 // A sinusoid of one wheel, in the time that counts from the beginning of a segment.
 struct Term {
   double angular_frequency;
@@ -205,6 +235,7 @@ Input trackInput(const Track& track, const Topology& topology, double speed, dou
     for (std::size_t j = 0; j < lags.size(); ++j) passages.push_back({j, &piece, 0, 0});
   }
   const std::vector<double> borders = cut(passages, lags, speed, end, output_step);
+  checkSize(track, passages, borders.size() - 1, lags.size());
 
   std::stable_sort(passages.begin(), passages.end(),
                    [](const Passage& a, const Passage& b) { return a.first < b.first; });

@@ -8,6 +8,10 @@
 
 namespace vehicle {
 
+/// Most memory that the coefficients of an input may take [byte]. Every wheelset meets the kinks of a rail at its own
+/// time, so their number grows with the square of a train's length.
+inline constexpr double kMostInputBytes = 1024.0 * 1024.0 * 1024.0;
+
 /// The rail (or rig) of a scenario as the input of the vehicle's wheelsets, in the order of topology.wheelsets,
 /// from t = 0 to the end of the run (duration, or distance / speed), cut exactly at its kinks.
 ///
@@ -20,7 +24,8 @@ namespace vehicle {
 /// @param speed  [m/s] > 0; the scenario's own or one given on the command line
 /// @throws InvalidInput  for an onset whose height jumps (names fade_in="50 m" as the remedy), a feature that is
 ///                       passed within 1e-8 of an output step, a rig input for a wheelset that is not there, a
-///                       run without length or shorter than an output step
+///                       run without length or shorter than an output step, an input above kMostInputBytes (names
+///                       history="extended" as the remedy of an onset)
 /// @throws std::invalid_argument  unless speed is finite and > 0 (where a track or a distance needs it)
 [[nodiscard]] Input inputOf(const Scenario& scenario, const Topology& topology, double speed);
 

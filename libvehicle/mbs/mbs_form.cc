@@ -176,6 +176,7 @@ void SimbodyForm::output(std::span<const double> x, std::span<const double> u, s
 }
 
 std::optional<StateSpace> SimbodyForm::linear() const {
+  requireDense("mbs", size());
   if (law_ != MbsLaw::kLinear) return std::nullopt;
   // f(0, 0) = 0 and f is linear, so a unit vector gives a column without a difference: exact up to rounding.
   const Eigen::Index n = 2 * topology_.coordinates, w = channels();

@@ -6,6 +6,7 @@
 
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/flat/flat_split.h"
+#include "libvehicle/flat/flat_train.h"
 #include "libvehicle/mbs/mbs_form.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
@@ -42,18 +43,23 @@ std::string methodMisfit(const std::string& method, const std::string& form) {
 std::string methodMisfit(const std::string& method, const std::string& form, const Vehicle& vehicle, double gravity) {
   if (std::string misfit = methodMisfit(method, form); !misfit.empty()) return misfit;
   if (!isSplitMethod(method) || !formMisfits(form, vehicle).empty()) return {};
-  return splitMethodMisfit(method, *buildFlatForm(vehicle, gravity));
+  return splitMethodMisfit(method, *buildFlatSystem(vehicle, gravity));
 }
 
 std::string splitMethodMisfit(const std::string& method, const System& form) {
   const auto* flat = dynamic_cast<const FlatForm*>(&form);
+  const std::string whole = method.substr(0, method.find('_'));
+  if (dynamic_cast<const FlatTrain*>(&form) != nullptr) {
+    return fmt::format("{}: couplings tie bounce and pitch of a train's vehicles; take {}", method, whole);
+  }
   if (flat == nullptr) return fmt::format("{}: the form is not the flat one", method);
   const std::string misfit = splitMisfit(*flat);
-  const std::string whole = method.substr(0, method.find('_'));
   return misfit.empty() ? misfit : fmt::format("{}: {}; take {}", method, misfit, whole);
 }
 
-std::string defaultMethod(const std::string& form) { return isLinearForm(form) ? "exact" : "dopri5"; }
+std::string defaultMethod(const std::string& form, int states) {
+  return isLinearForm(form) && states <= kMostExactStates ? "exact" : "dopri5";
+}
 
 Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,
                      const MethodSettings& settings, std::span<const double> x0, const Observer& observe) {

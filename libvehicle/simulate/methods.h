@@ -26,8 +26,13 @@ namespace vehicle {
 [[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form, const Vehicle& vehicle,
                                        double gravity);
 
-/// The method that is taken where none is named: exact where it fits, else dopri5.
-[[nodiscard]] std::string defaultMethod(const std::string& form);
+/// Most states that exact is taken for where no method is named. Its work grows with their cube, and with the kinks of
+/// the rail under every wheel: a train of more than eight flat vehicles is run by dopri5 sooner.
+inline constexpr int kMostExactStates = 64;
+
+/// The method that is taken where none is named: exact where it fits and there are few states, else dopri5.
+/// @param states  of the form
+[[nodiscard]] std::string defaultMethod(const std::string& form, int states = 0);
 
 /// The settings of all methods; each reads its own.
 struct MethodSettings {

@@ -85,7 +85,8 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
 
   RunResult result;
   result.form = choice.form.empty() ? defaultForm(vehicle) : choice.form;
-  result.method = choice.method.empty() ? defaultMethod(result.form) : choice.method;
+  const Topology topology = topologyOf(vehicle);
+  result.method = choice.method.empty() ? defaultMethod(result.form, 2 * topology.coordinates) : choice.method;
   result.speed = choice.speed.value_or(scenario.run.speed);
   if (const std::string misfit = methodMisfit(result.method, result.form); !misfit.empty()) {
     throw std::invalid_argument(misfit);
@@ -96,7 +97,7 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   }
 
   const std::unique_ptr<System> system = buildForm(result.form, vehicle, scenario.gravity);
-  const Input input = inputOf(scenario, topologyOf(vehicle), result.speed);
+  const Input input = inputOf(scenario, topology, result.speed);
   const Schedule schedule(input, scenario.run.output_step);
   const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
   const MethodSettings settings{{choice.step, choice.refine}, {choice.relative, choice.absolute}, choice.accuracy};

@@ -18,7 +18,7 @@ namespace vehicle {
 /// What to run and how.
 struct RunChoice {
   std::string form;             // empty: flat where it fits, else matrix
-  std::string method;           // empty: exact where it fits, else dopri5
+  std::string method;           // empty: exact where it fits and few states ask for it, else dopri5
   std::optional<double> speed;  // [m/s]; empty: the scenario's
   double step = 1e-3;           // [s] rk4: largest fixed step
   int refine = 1;               // rk4: cuts every fixed step once more (convergence orders)

@@ -8,7 +8,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build                                  # to build
-  libboost-dev                                           # headers: Sobol's direction numbers, odeint as a peer
+  libboost-dev libpagmo-dev                              # Sobol's direction numbers, odeint as a peer; search
   libeigen3-dev libsimbody-dev liblapack-dev             # numbers and bodies; Simbody's CMake targets name lapack and blas
   libhwloc-dev                                           # where cores and caches are
   libtinyxml2-dev libhdf5-dev libsqlite3-dev             # files
@@ -16,7 +16,7 @@ packages=(
   libgtest-dev libbenchmark-dev                          # tests and benchmarks
   libxml2-utils octave                                   # xmllint judges the models; Octave is the paper's ode45
 )
-peers=(libsundials-dev)                    # Octave, the third peer, is above
+peers=(libsundials-dev)                                  # Octave, the third peer, is above
 
 case "${1:-}" in
   "") ;;

@@ -28,6 +28,7 @@ constexpr Header kHeaders[] = {
     {"hwloc.h", "vehicle_hwloc"},
     {"H5", "vehicle_hdf5"},
     {"boost/", "Boost::headers"},
+    {"pagmo/", "Pagmo::pagmo"},
     {"sqlite3.h", "SQLite::SQLite3"},
     {"tinyxml2.h", "tinyxml2::tinyxml2"},
     {"fmt/", "fmt::fmt"},

@@ -4,7 +4,7 @@
 
 #include "tests/simulate/histories.h"
 #include "tests/support/tolerance.h"
-#include "tests/support/vehicles.h"
+#include "tests/support/trains.h"
 
 namespace vehicle::test {
 namespace {
@@ -65,6 +65,16 @@ TEST(Rk4, DoublingTheStepsDividesTheErrorBySixteenForAnAsymmetricVehicle) {
   const double ratio = errorRatio(asymmetricVehicle(), paperScenario(History::kOnset), "matrix");
   EXPECT_GT(ratio, 15.0);
   EXPECT_LT(ratio, 17.0);
+}
+
+TEST(Rk4, DoublingTheStepsDividesTheErrorBySixteenForATrain) {
+  for (const History history : {History::kOnset, History::kExtended}) {
+    Scenario scenario = paperScenario(history);
+    scenario.run.duration = 5.0;
+    const double ratio = errorRatio(assembled(mixedTrain()), scenario, "flat");
+    EXPECT_GT(ratio, 15.0);
+    EXPECT_LT(ratio, 17.0);
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "libvehicle/statics/rest.h"
 #include "tests/simulate/histories.h"
 #include "tests/support/tolerance.h"
-#include "tests/support/vehicles.h"
+#include "tests/support/trains.h"
 
 namespace vehicle::test {
 namespace {
@@ -68,7 +68,8 @@ Balance balanceOf(const Vehicle& vehicle, const Scenario& scenario, const std::s
 // is a thousand times either; a sign error anywhere is of order 1.
 TEST(EnergyBalance, InputWorkIsStoredOrDissipatedOverTenSeconds) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), heightsVehicle(), bogiePitchVehicle(),
-                                 asymmetricBogiePitchVehicle(), bogiePitchHeightsVehicle()}) {
+                                 asymmetricBogiePitchVehicle(), bogiePitchHeightsVehicle(), assembled(mixedTrain()),
+                                 assembled(equalTrain(bogiePitchVehicle(), 2, 26.0))}) {
     for (const char* form : {"flat", "matrix", "mbs-linear"}) {
       if (!formMisfits(form, vehicle).empty()) continue;
       Scenario scenario = paperScenario(History::kExtended);

@@ -7,13 +7,14 @@
 
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/flat/flat_form.h"
+#include "libvehicle/flat/flat_train.h"
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/matrix/matrix_form.h"
 #include "libvehicle/mbs/mbs_form.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "tests/simulate/histories.h"
 #include "tests/support/tolerance.h"
-#include "tests/support/vehicles.h"
+#include "tests/support/trains.h"
 
 namespace vehicle::test {
 namespace {
@@ -55,9 +56,18 @@ TEST(MbsLinear, HasTheFlatFormsRightHandSideAtRandomStates) {
 
 TEST(MbsLinear, HasTheMatrixFormsRightHandSideForEveryTopology) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), bogiePitchVehicle(), asymmetricBogiePitchVehicle(),
-                                 contactVehicle(), hertzVehicle(), heightsVehicle(), bogiePitchHeightsVehicle()}) {
+                                 contactVehicle(), hertzVehicle(), heightsVehicle(), bogiePitchHeightsVehicle(),
+                                 assembled(mixedTrain()), assembled(equalTrain(contactVehicle(), 2, 26.0))}) {
     EXPECT_WITHIN(rateDifference(*buildMatrixForm(vehicle, 9.81), *buildMbsForm(vehicle, 9.81, MbsLaw::kLinear)), 0.0,
                   kSameEquations) << vehicle.name;
+  }
+}
+
+TEST(MbsLinear, HasTheFlatFormsRightHandSideForTrains) {
+  for (const Train& train : {mixedTrain(), equalTrain(paperVehicle(), 4, 16.0), equalTrain(heightsVehicle(), 2, 16.0)}) {
+    const Vehicle vehicle = assembled(train);
+    EXPECT_WITHIN(rateDifference(*buildFlatTrain(vehicle, 9.81), *buildMbsForm(vehicle, 9.81, MbsLaw::kLinear)), 0.0,
+                  kSameEquations) << train.name;
   }
 }
 

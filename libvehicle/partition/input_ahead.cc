@@ -46,8 +46,10 @@ void InputParcels::read(long parcel, std::vector<StepBlock>& blocks) const {
 }
 
 InputAhead::InputAhead(const Schedule& schedule, FixedStep step, int width, const BlockRows& rows)
-    : parcels_(schedule, step), width_(static_cast<std::size_t>(width)), rows_(rows), slots_(kSlots) {
-  const std::size_t most = static_cast<std::size_t>(parcels_.mostRows()) * width_;
+    : parcels_(schedule, step), width_(static_cast<std::size_t>(width)), rows_(rows),
+      count_(std::clamp<long>(static_cast<long>(kMostBytes / (8 * mostValues())), 2, kMostSlots)),
+      slots_(static_cast<std::size_t>(count_)) {
+  const std::size_t most = mostValues();
   for (std::size_t s = 0; s < slots_.size(); ++s) {
     slots_[s].rows.resize(most);
     slots_[s].state.store(word(static_cast<long>(s), kOpen), std::memory_order_relaxed);
@@ -84,7 +86,7 @@ void InputAhead::help(Member& me) {
   for (long parcel = 0;; ++parcel) {
     parcel = std::max(parcel, done_.load(std::memory_order_acquire));
     if (parcel >= parcels_.count()) return;
-    me.wait([&] { return done_.load(std::memory_order_acquire) > parcel - kSlots; }, 0);
+    me.wait([&] { return done_.load(std::memory_order_acquire) > parcel - count_; }, 0);
     me.beginStep(parcel);
     computeIfOpen(me, parcel, blocks);
     me.endStep(parcel);
@@ -95,7 +97,7 @@ bool InputAhead::isReadyInTime(Member& me, Slot& slot) {
   const long ready = word(parcel_, kReady);
   const auto isReady = [&] { return slot.state.load(std::memory_order_acquire) == ready; };
   for (ahead_ = std::max(ahead_, parcel_ + 1); !isReady();) {
-    const long end = std::min(parcel_ + kSlots, parcels_.count());
+    const long end = std::min(parcel_ + count_, parcels_.count());
     while (ahead_ < end && !computeIfOpen(me, ahead_, scratch_)) ++ahead_;
     if (ahead_ < end) {
       ++counts_.shared;
@@ -115,7 +117,7 @@ const double* InputAhead::acquire(Member& me) {
   long seen = slot.state.load(std::memory_order_acquire);
   // Open, for this parcel or for one that was passed while the slot was out of service: nobody else computes it.
   if (seen % kPhases == kOpen &&
-      slot.state.compare_exchange_strong(seen, word(parcel_ + kSlots, kOpen), std::memory_order_acq_rel,
+      slot.state.compare_exchange_strong(seen, word(parcel_ + count_, kOpen), std::memory_order_acq_rel,
                                          std::memory_order_acquire)) {
     from_slot_ = false;
   } else {
@@ -123,7 +125,7 @@ const double* InputAhead::acquire(Member& me) {
     if (seen == word(parcel_, kClaimed) && !from_slot_) ++counts_.redone;
     // Ready for a parcel that was passed: its thread came back at last.
     if (!from_slot_ && seen % kPhases == kReady) {
-      slot.state.store(word(parcel_ + kSlots, kOpen), std::memory_order_release);
+      slot.state.store(word(parcel_ + count_, kOpen), std::memory_order_release);
     }
   }
   if (from_slot_) {
@@ -137,7 +139,7 @@ const double* InputAhead::acquire(Member& me) {
 }
 
 void InputAhead::release() {
-  if (from_slot_) slotOf(parcel_).state.store(word(parcel_ + kSlots, kOpen), std::memory_order_release);
+  if (from_slot_) slotOf(parcel_).state.store(word(parcel_ + count_, kOpen), std::memory_order_release);
   done_.store(parcel_ + 1, std::memory_order_release);
 }
 

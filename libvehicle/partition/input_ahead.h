@@ -4,8 +4,8 @@
 //
 //   slots     | 12 ready | 13 ready | 14 claimed by 2 | 15 claimed by 1 | 8 open ... | 11 read by member 0 |
 //
-// Member 0 steps and wants parcel after parcel; the others compute them ahead. Parcel p lives in slot p mod kSlots,
-// whose one atomic word says which parcel it is about and how far: open -> claimed -> ready -> open for p + kSlots.
+// Member 0 steps and wants parcel after parcel; the others compute them ahead. Parcel p lives in slot p mod S,
+// whose one atomic word says which parcel it is about and how far: open -> claimed -> ready -> open for p + S.
 //
 // 1. Claiming is one compare-exchange from open(p) to claimed(p): exactly one thread wins and writes the rows. It then
 //    stores ready(p) (release); member 0 loads it (acquire) before it reads them, so the rows are whole.
@@ -73,7 +73,8 @@ struct AheadCounts {
 /// Rows of all parcels on their way from the threads that compute them to member 0.
 class InputAhead {
  public:
-  static constexpr int kSlots = 16;
+  static constexpr int kMostSlots = 16;
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 26;  // of all slots; but there are two at least
   static constexpr std::chrono::microseconds kPatience{300};
 
   /// @param width  values of a row   @param rows  called by any thread, by several at a time
@@ -96,7 +97,9 @@ class InputAhead {
     std::atomic<int> owner{0};  // of the latest claim, for the trace
     std::vector<double> rows;
   };
-  Slot& slotOf(long parcel) { return slots_[static_cast<std::size_t>(parcel % kSlots)]; }
+  /// Values of the rows of one parcel, at most.
+  [[nodiscard]] std::size_t mostValues() const { return static_cast<std::size_t>(parcels_.mostRows()) * width_; }
+  Slot& slotOf(long parcel) { return slots_[static_cast<std::size_t>(parcel % count_)]; }
 
   const double* acquire(Member& me);
   bool isReadyInTime(Member& me, Slot& slot);
@@ -107,6 +110,7 @@ class InputAhead {
   const InputParcels parcels_;
   const std::size_t width_;
   const BlockRows& rows_;
+  const long count_;  // of slots
   std::vector<Slot> slots_;
   alignas(128) std::atomic<long> done_{0};  // parcels that member 0 has left behind
 

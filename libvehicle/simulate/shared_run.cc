@@ -1,31 +1,142 @@
 #include "libvehicle/simulate/shared_run.h"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
+#include "libvehicle/partition/equation_map.h"
+#include "libvehicle/partition/placement.h"
+#include "libvehicle/partition/run.h"
+#include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/thread_choice.h"
 
 namespace vehicle {
 
+namespace {
+
+/// One run as all ways see it.
+class Sharing {
+ public:
+  Sharing(const std::string& method, const System& system, const MethodSettings& settings, std::span<const double> x0,
+          const ThreadRequest& request)
+      : method_(method), system_(system), settings_(settings), x0_(x0), request_(request) {}
+
+  [[nodiscard]] SharedRun run(Scheme scheme, int threads, const Input& input, const Schedule& schedule,
+                              const Observer& observe) const {
+    TeamChoice team = request_.team;
+    team.threads = threads;
+    const auto* flat = dynamic_cast<const FlatForm*>(&system_);
+    const auto made = [&](auto run) { return SharedRun{run.statistics, scheme, threads, std::move(run.team), {}}; };
+    switch (scheme) {
+      case Scheme::kSerial:
+        return {runMethod(method_, system_, input, schedule, settings_, x0_, observe), scheme, 1, {}, {}};
+      case Scheme::kPipeline:
+        return made(flat != nullptr
+                        ? runFlatPipeline(*flat, input, schedule, settings_.step, x0_, observe, team).run
+                        : runPipeline(system_, input, schedule, settings_.step, x0_, observe, team).run);
+      case Scheme::kSplit:
+        if (const std::string misfit = splitMethodMisfit(method_, system_); !misfit.empty()) {
+          throw std::invalid_argument(misfit);
+        }
+        return made(method_ == "exact_split"
+                        ? runFlatExactSplit(*flat, input, schedule, x0_, observe, team)
+                        : runFlatRk4Split(*flat, input, schedule, settings_.step, x0_, observe, team));
+      case Scheme::kStages:
+      case Scheme::kHalo:
+      case Scheme::kRows:
+        break;
+    }
+    return made(runPartitioned(system_, input, schedule, settings_.step, x0_, observe, {scheme, request_.map, team}));
+  }
+
+  /// Schemes that share the work of this method on this system, the likeliest first.
+  [[nodiscard]] std::vector<Scheme> schemes(int threads) const {
+    std::vector<Scheme> fit;
+    for (const Scheme scheme : schemesOf(method_)) {
+      if (scheme == Scheme::kSerial || !fits(scheme, threads)) continue;
+      fit.push_back(scheme);
+    }
+    // Threads with many equations each are worth an exchange a step; with few, only the rail can be shared.
+    const EquationSet* set = system_.equations();
+    const bool long_train = set != nullptr && set->size() >= 2 * kManyEquations * threads;
+    const Scheme best = long_train ? Scheme::kHalo : Scheme::kPipeline;
+    std::stable_partition(fit.begin(), fit.end(), [&](Scheme scheme) { return scheme == best; });
+    return fit;
+  }
+
+  /// Whether the system has equations to share, as many as threads, and the map knows so many threads.
+  [[nodiscard]] bool fits(Scheme scheme, int threads) const {
+    if (scheme != Scheme::kStages && scheme != Scheme::kHalo && scheme != Scheme::kRows) return true;
+    const EquationSet* set = system_.equations();
+    if (set == nullptr || static_cast<int>(set->equations().size()) < threads) return false;
+    if (scheme == Scheme::kRows || request_.map == EquationMap::kAuto) return true;
+    try {
+      (void)shareEquations(*set, request_.map, threads);
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] Way way(Scheme scheme, int threads) const {
+    return {scheme, threads, [this, scheme, threads](const Input& input, const Schedule& schedule, const Observer& show) {
+              Sharing untraced(*this);
+              untraced.request_.team.tracer = nullptr;
+              (void)untraced.run(scheme, threads, input, schedule, show);
+            }};
+  }
+
+ private:
+  static constexpr int kManyEquations = 16;
+
+  const std::string& method_;
+  const System& system_;
+  const MethodSettings& settings_;
+  std::span<const double> x0_;
+  ThreadRequest request_;
+};
+
+}  // namespace
+
 SharedRun runShared(const std::string& method, const System& system, const Input& input, const Schedule& schedule,
                     const MethodSettings& settings, std::span<const double> x0, const Observer& observe,
                     const ThreadRequest& request) {
-  SharedRun run;
-  if (isSplitMethod(method) && request.threads == 2) {
-    if (const std::string misfit = splitMethodMisfit(method, system); !misfit.empty()) {
-      throw std::invalid_argument(misfit);
-    }
-    const auto& flat = dynamic_cast<const FlatForm&>(system);
-    {
-      TeamChoice team = request.team;
-      team.threads = 2;
-      PartsRun parts = method == "exact_split"
-                           ? runFlatExactSplit(flat, input, schedule, x0, observe, team)
-                           : runFlatRk4Split(flat, input, schedule, settings.step, x0, observe, team);
-      return {parts.statistics, Scheme::kSplit, 2, std::move(parts.team), {}};
-    }
+  const Sharing sharing(method, system, settings, x0, request);
+  const bool any_scheme = request.scheme.empty();
+  std::vector<Way> ways;
+  if (request.threads == 1 || (request.threads == 0 && (any_scheme || request.scheme == nameOf(Scheme::kSerial)))) {
+    ways.push_back(sharing.way(any_scheme ? Scheme::kSerial : schemeOf(request.scheme), 1));
   }
-  run.statistics = runMethod(method, system, input, schedule, settings, x0, observe);
+  std::vector<int> counts = {request.threads};
+  if (request.threads == 0) counts = threadCounts(static_cast<int>(allowedCores().size()));
+  if (request.threads == 0 && isSplitMethod(method)) std::erase_if(counts, [](int threads) { return threads > 2; });
+  for (const int threads : counts) {
+    if (threads == 1 || request.scheme == nameOf(Scheme::kSerial)) continue;
+    if (!any_scheme) {
+      const Scheme scheme = schemeOf(request.scheme);
+      if (request.threads > 0 || sharing.fits(scheme, threads)) ways.push_back(sharing.way(scheme, threads));
+      continue;
+    }
+    for (const Scheme scheme : sharing.schemes(threads)) ways.push_back(sharing.way(scheme, threads));
+  }
+  if (ways.empty() && request.threads == 0) ways.push_back(sharing.way(schemeOf(request.scheme), 1));
+  if (ways.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{} of this form has no more than one equation to share; take --threads 1", method));
+  }
+
+  Decision decision{.scheme = ways.front().scheme, .threads = ways.front().threads};
+  if (ways.size() > 1) {
+    const bool exact = method.starts_with("exact");
+    const long steps = exact ? static_cast<long>(schedule.stretches().size()) : stepsOfRun(schedule, settings.step);
+    decision = chooseWay({system, input, schedule, steps, exact, request.map, request.team}, ways);
+  } else if (request.threads == 0) {
+    decision.reason = "serial: there is no other way";
+  }
+  SharedRun run = sharing.run(decision.scheme, decision.threads, input, schedule, observe);
+  run.decision = std::move(decision);
   return run;
 }
 

@@ -22,9 +22,9 @@ void expectSameBits(const RunResult& actual, const RunResult& reference, const s
 // The split rounds sums and differences of the bogies and of the rail that the whole rounds in other places: each
 // step leaves some roundings of 2^-53 in either, and what is left of them decays with the slowest mode (0.88/s), which
 // remembers some 1100 steps of 1 ms. As random signs that is sqrt(1100) = 33, with the dozen roundings of a
-// step some 100; forces are differences of displacements some ten times their elongation. 4000 covers the worst
-// column; a wrong coefficient shows at 1e-3 = 1e13.
-constexpr double kRoundings = 4000.0 * 0x1p-53;
+// step some 100; forces are differences of displacements some ten times their elongation, hence 1000. A wrong
+// coefficient shows at 1e-3 of peak, which is 1e13 roundings.
+constexpr double kRoundings = 1000.0 * 0x1p-53;
 
 TEST(Split, DiffersFromTheWholeByRoundingAlone) {
   for (const Vehicle& vehicle : {paperVehicle(), paperVehicle(686465.5), heightsVehicle()}) {

@@ -1,0 +1,188 @@
+// A run on threads through simulate(): the bits of the serial run, the names it answers with, and how it is refused.
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/simulate/histories.h"
+#include "tests/support/vehicles.h"
+
+namespace vehicle::test {
+namespace {
+
+Scenario dipScenario() {
+  Scenario scenario = paperScenario(History::kExtended);
+  scenario.track->harmonics.clear();
+  Dip dip;
+  dip.depth = 8e-3;
+  dip.length = 3.0;
+  dip.start = 10.0;
+  scenario.track->dips = {dip};
+  return scenario;
+}
+
+Scenario rigScenario() {
+  Scenario scenario = paperScenario(History::kExtended);
+  scenario.track.reset();
+  scenario.rig.emplace();
+  for (int wheel = 1; wheel <= 4; ++wheel) {
+    RigInput input;
+    input.wheelset = "wheelset_" + std::to_string(wheel);
+    RigSine sine;
+    sine.amplitude = 1e-3 * wheel;
+    sine.angular_frequency = 4.0 + 7.0 * wheel;
+    sine.phase = 0.3 * wheel;
+    input.sines = {sine};
+    scenario.rig->inputs.push_back(input);
+  }
+  return scenario;
+}
+
+Scenario shortened(Scenario scenario) {
+  scenario.run.duration = 3.0;  // all wheels have passed their kinks at 20 km/h
+  return scenario;
+}
+
+/// Every way to run, except those that do not fit.
+struct Asked {
+  const char* method;
+  const char* scheme;
+  std::vector<int> threads;
+};
+const std::vector<Asked> kAsked = {{"rk4", "stages", {1, 2, 4}},   {"rk4", "halo", {1, 2, 3}},
+                                   {"rk4", "pipeline", {1, 2, 5}}, {"exact", "rows", {1, 2, 4}},
+                                   {"rk4", "", {2, 3}},            {"exact", "", {2}}};
+
+void expectSerialBits(const Vehicle& vehicle, const Scenario& scenario, double speed) {
+  RunChoice choice;
+  choice.speed = speed;
+  for (const Asked& asked : kAsked) {
+    choice.scheme.clear();
+    choice.threads = 1;
+    const RunResult serial = run(vehicle, scenario, "flat", asked.method, choice);
+    EXPECT_EQ(serial.scheme, "serial");
+    EXPECT_EQ(serial.threads, 1);
+    choice.scheme = asked.scheme;
+    for (const int threads : asked.threads) {
+      choice.threads = threads;
+      const RunResult shared = run(vehicle, scenario, "flat", asked.method, choice);
+      const std::string what =
+          vehicle.name + " " + asked.method + " by " + shared.scheme + " on " + std::to_string(threads);
+      EXPECT_EQ(shared.threads, threads) << what;
+      EXPECT_EQ(shared.team.members.size(), static_cast<std::size_t>(threads)) << what;
+      if (!choice.scheme.empty()) {
+        EXPECT_EQ(shared.scheme, choice.scheme);
+      }
+      EXPECT_EQ(shared.statistics.steps, serial.statistics.steps) << what;
+      ASSERT_EQ(shared.history.samples(), serial.history.samples()) << what;
+      for (std::size_t column = 0; column < serial.history.columns().size(); ++column) {
+        ASSERT_EQ(shared.history.column(column), serial.history.column(column))
+            << what << ": " << serial.history.columns()[column].name;
+      }
+    }
+  }
+}
+
+TEST(Sharing, GivesTheSerialBitsAtEverySpeedOfThePapersVehicle) {
+  for (const double kmh : {20.0, 55.0, 80.0, 110.0, 150.0}) {
+    expectSerialBits(paperVehicle(), shortened(paperScenario(History::kOnset)), kmh / 3.6);
+  }
+}
+
+TEST(Sharing, GivesTheSerialBitsForAsymmetricVehiclesAndHeights) {
+  expectSerialBits(asymmetricVehicle(), shortened(paperScenario(History::kOnset)), 20.0);
+  expectSerialBits(heightsVehicle(), shortened(paperScenario(History::kExtended)), 20.0);
+}
+
+TEST(Sharing, GivesTheSerialBitsOnDipsAndOnARig) {
+  expectSerialBits(paperVehicle(), shortened(dipScenario()), 20.0);
+  expectSerialBits(asymmetricVehicle(), shortened(rigScenario()), 20.0);
+}
+
+TEST(Sharing, AutoGivesTheSerialBitsAndSaysWhatItTook) {
+  const Scenario scenario = shortened(paperScenario(History::kOnset));
+  for (const char* form : {"flat", "matrix", "mbs", "flat-7-printed"}) {
+    for (const char* method : {"rk4", "exact", "dopri5"}) {
+      if (!methodMisfit(method, form).empty()) continue;
+      RunChoice choice;
+      const RunResult serial = run(paperVehicle(), scenario, form, method, choice);
+      choice.threads = 0;
+      const RunResult chosen = run(paperVehicle(), scenario, form, method, choice);
+      EXPECT_EQ(historyError(chosen.history, serial.history), 0.0) << form << " " << method;
+      EXPECT_EQ(chosen.scheme, "serial") << "three seconds are over before another thread has started";
+      EXPECT_FALSE(chosen.decision.reason.empty()) << form << " " << method;
+    }
+  }
+}
+
+// Long enough to be worth a calibration; whatever it finds on this machine, the bits are those of the serial run and
+// the answer is complete.
+TEST(Sharing, ALongRunIsCalibratedAndKeepsItsBits) {
+  Scenario scenario = paperScenario(History::kExtended);
+  scenario.run.output_step = 0.05;
+  scenario.track->harmonics.clear();
+  for (int order = 1; order <= 24; ++order) scenario.track->harmonics.push_back(harmonic(25.0, order, 4e-3 / order));
+  RunChoice choice;
+  choice.step = 5e-6;
+  const RunResult serial = run(paperVehicle(), scenario, "flat", "rk4", choice);
+  choice.threads = 0;
+  const RunResult chosen = run(paperVehicle(), scenario, "flat", "rk4", choice);
+  EXPECT_EQ(historyError(chosen.history, serial.history), 0.0);
+  EXPECT_GT(chosen.decision.step, 0.0) << chosen.decision.reason;
+  EXPECT_GT(chosen.decision.input, 0.0);
+  EXPECT_LT(chosen.decision.calibration, 0.5 * chosen.wall_seconds) << chosen.decision.reason;
+  EXPECT_EQ(nameOf(chosen.decision.scheme), chosen.scheme);
+  EXPECT_EQ(chosen.decision.threads, chosen.threads);
+  ASSERT_FALSE(chosen.decision.candidates.empty());
+  EXPECT_EQ(chosen.decision.candidates[0].scheme, Scheme::kSerial);
+}
+
+std::string refusal(const std::string& form, const std::string& method, int threads, const std::string& scheme,
+                    const std::string& map = "auto") {
+  try {
+    RunChoice choice;
+    choice.threads = threads;
+    choice.scheme = scheme;
+    choice.map = map;
+    (void)run(paperVehicle(), shortened(paperScenario(History::kOnset)), form, method, choice);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
+  EXPECT_EQ(refusal("mbs", "rk4", 2, ""), "mbs cannot be cut into equations: Simbody computes all at once; "
+                                          "take --threads 1");
+  EXPECT_EQ(refusal("flat", "dopri5", 2, ""),
+            "dopri5 is not shared among threads: each of its steps is chosen from the whole state; take --threads 1");
+  EXPECT_EQ(refusal("flat", "rk4", -1, ""), "threads = -1, must be 1..256, or 0 to let a calibration choose");
+  EXPECT_EQ(refusal("flat", "rk4", 2, "serial"),
+            "scheme serial runs on one thread, not on 2; take --threads 1, or another scheme");
+  EXPECT_EQ(refusal("flat", "rk4", 2, "rows"),
+            "scheme rows does not share the work of rk4; take serial | stages | halo | pipeline");
+  EXPECT_EQ(refusal("flat", "rk4", 2, "stage"), "scheme \"stage\" is unknown; did you mean \"stages\"?");
+  EXPECT_EQ(refusal("flat", "rk4", 2, "stages", "papr"), "map \"papr\" is unknown; did you mean \"paper\"?");
+  const std::string many = refusal("flat", "rk4", 5, "stages");
+  EXPECT_NE(many.find("5"), std::string::npos) << many;
+  EXPECT_NE(many.find("4"), std::string::npos) << many;
+  EXPECT_NE(refusal("flat", "rk4", 2, "stages", "paper"), "not refused");
+  EXPECT_EQ(refusal("flat", "rk4", 4, "stages", "paper"), "not refused");
+}
+
+TEST(Sharing, ProgressEndsASharedRunEarly) {
+  for (const char* scheme : {"stages", "halo", "pipeline"}) {
+    RunChoice choice;
+    choice.threads = 2;
+    choice.scheme = scheme;
+    choice.form = "flat";
+    choice.method = "rk4";
+    const RunResult some = simulate(paperVehicle(), paperScenario(History::kOnset), choice,
+                                    [](double share) { return share < 0.5; });
+    EXPECT_TRUE(some.statistics.stopped) << scheme;
+    EXPECT_LT(some.history.samples(), 1400u) << scheme;
+  }
+}
+
+}  // namespace
+}  // namespace vehicle::test

@@ -11,6 +11,7 @@ packages=(
   libboost-dev libpagmo-dev                              # Sobol's direction numbers, odeint as a peer; search
   libeigen3-dev libsimbody-dev liblapack-dev             # numbers and bodies; Simbody's CMake targets name lapack and blas
   libhwloc-dev                                           # where cores and caches are
+  libopenmpi-dev openmpi-bin                             # studies on many machines; optional at build
   libtinyxml2-dev libhdf5-dev libsqlite3-dev             # files
   libfmt-dev libcli11-dev nlohmann-json3-dev             # messages, command line
   libgtest-dev libbenchmark-dev                          # tests and benchmarks

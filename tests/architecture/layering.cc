@@ -29,6 +29,7 @@ constexpr Header kHeaders[] = {
     {"H5", "vehicle_hdf5"},
     {"boost/", "Boost::headers"},
     {"pagmo/", "Pagmo::pagmo"},
+    {"mpi.h", "MPI::MPI_CXX"},
     {"sqlite3.h", "SQLite::SQLite3"},
     {"tinyxml2.h", "tinyxml2::tinyxml2"},
     {"fmt/", "fmt::fmt"},

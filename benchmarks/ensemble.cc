@@ -30,7 +30,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int kRepetitions = 9;
-constexpr int kDesigns = 256;
+constexpr int kDesigns = 1024;
 
 // Vector instructions in the loop of runShared() for one step of one register of designs, counted in its disassembly:
 // what needs a multiplier (multiply, fused multiply-add), and additions. The peak counts what can be issued of the

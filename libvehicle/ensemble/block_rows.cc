@@ -44,11 +44,12 @@ Choice ColumnChoice::get() const {
   return choice;
 }
 
-BlockRows::BlockRows(std::span<const EnsembleDesign> designs, std::span<const int> order, int lanes, int columns)
+BlockRows::BlockRows(std::span<const EnsembleDesign> designs, std::span<const int> order, int lanes, int columns,
+                     int packs)
     : lanes_(lanes),
       used_(static_cast<int>(order.size())),
       columns_(columns),
-      blocks_((used_ + lanes - 1) / lanes),
+      blocks_((used_ + packs * lanes - 1) / (packs * lanes) * packs),
       coefficients_(offset(blocks_, kCoefficientRows)),
       extra_(offset(blocks_, kExtraRows)),
       masses_(offset(blocks_, kMassRows)),

@@ -52,7 +52,9 @@ class ColumnChoice {
 class BlockRows {
  public:
   /// @param order  (lanes used) index of the design that each lane holds, not empty
-  BlockRows(std::span<const EnsembleDesign> designs, std::span<const int> order, int lanes, int columns);
+  /// @param packs  the number of blocks is a multiple of it
+  BlockRows(std::span<const EnsembleDesign> designs, std::span<const int> order, int lanes, int columns,
+            int packs = 1);
 
   [[nodiscard]] int blocks() const { return blocks_; }
   [[nodiscard]] int lanes() const { return lanes_; }

@@ -143,14 +143,17 @@ EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, const Input&
   result.summaries.resize(designs.size() * run.columns.size());
   for (int first = 0; first < total; first += batch) {
     const std::vector<int> order = range(first, std::min(batch, total - first));
-    BlockRows rows(designs, order, kernels.lanes, columns.count());
+    BlockRows rows(designs, order, kernels.lanes, columns.count(), kernels.packs);
     Storage storage(static_cast<bool>(store), rows, columns.count(), counted);
     ensemble::SharedRail pieces(rail, schedule, run.step, first_counted, columns.readsRail());
     while (pieces.next()) {
-      for (int b = 0; b < rows.blocks(); ++b) {
-        Block block = rows.block(b);
-        block.stored = storage.of(b);
-        kernels.runShared(block, choice, pieces.legs().data(), static_cast<int>(pieces.legs().size()));
+      for (int b = 0; b < rows.blocks(); b += kernels.packs) {
+        std::vector<Block> blocks;
+        for (int i = b; i < b + kernels.packs; ++i) {
+          blocks.push_back(rows.block(i));
+          blocks.back().stored = storage.of(i);
+        }
+        kernels.runShared(blocks.data(), choice, pieces.legs().data(), static_cast<int>(pieces.legs().size()));
       }
     }
     result.steps += pieces.steps() * rows.used();

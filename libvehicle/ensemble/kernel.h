@@ -87,7 +87,9 @@ struct SteadyBlock {
 /// One instruction set.
 struct Kernels {
   int lanes;
-  void (*runShared)(const Block& block, const Choice& choice, const SharedLeg* legs, int count);
+  int packs;  // blocks of one call of runShared
+  /// @param blocks  (packs)
+  void (*runShared)(const Block* blocks, const Choice& choice, const SharedLeg* legs, int count);
   void (*runLanes)(const Block& block, const Choice& choice, const LaneRail& rail, const LaneLeg& leg);
   /// @param symmetric  front and rear, and the axles of a bogie, are equal in every lane
   void (*steady)(const SteadyBlock& block, const Choice& choice, const Harmonic* harmonics, int count,

@@ -4,4 +4,5 @@
 #endif
 #define VEHICLE_ENSEMBLE_ISA v3
 #define VEHICLE_ENSEMBLE_LANES 4
+#define VEHICLE_ENSEMBLE_PACKS 2
 #include "libvehicle/ensemble/kernel.inc"

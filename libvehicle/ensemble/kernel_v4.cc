@@ -4,4 +4,5 @@
 #endif
 #define VEHICLE_ENSEMBLE_ISA v4
 #define VEHICLE_ENSEMBLE_LANES 8
+#define VEHICLE_ENSEMBLE_PACKS 1
 #include "libvehicle/ensemble/kernel.inc"

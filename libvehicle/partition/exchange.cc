@@ -20,7 +20,7 @@ Exchange::Exchange(const std::vector<int>& values_of_thread) {
     offsets.push_back(bytes);
     bytes += (2 * 64 * lines + kApart - 1) / kApart * kApart;
   }
-  memory_.reset(static_cast<std::byte*>(::operator new(bytes, std::align_val_t{kApart})));
+  memory_.reset(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{kApart})));
   for (std::size_t i = 0; i < owners_.size(); ++i) {
     owners_[i].begin = memory_.get() + offsets[i];
     for (long parity = 0; parity < 2; ++parity) {

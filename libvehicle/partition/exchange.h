@@ -83,7 +83,7 @@ class Exchange {
     int values = 0;
   };
   struct Free {
-    void operator()(std::byte* memory) const { ::operator delete(memory, std::align_val_t{kApart}); }
+    void operator()(std::byte* memory) const { ::operator delete (memory, std::align_val_t{kApart}); }
   };
   static constexpr std::size_t kApart = 128;  // [bytes] between owners
 

@@ -20,10 +20,10 @@ namespace {
 
 using Nanoseconds = std::int64_t;
 
-constexpr double kLeastPeriod = 1e-6;            // [s] below, the clock itself is most of the period
-constexpr double kMostPeriod = 3600.0;           // [s]
-constexpr Nanoseconds kLook = 50'000'000;        // between two looks at choice.stop in a long sleep
-constexpr unsigned long kTimerSlack = 1;         // [ns] Linux adds 50 us to every sleep of an ordinary thread
+constexpr double kLeastPeriod = 1e-6;      // [s] below, the clock itself is most of the period
+constexpr double kMostPeriod = 3600.0;     // [s]
+constexpr Nanoseconds kLook = 50'000'000;  // between two looks at choice.stop in a long sleep
+constexpr unsigned long kTimerSlack = 1;   // [ns] Linux adds 50 us to every sleep of an ordinary thread
 
 Nanoseconds monotonic() {
   timespec now{};

@@ -20,8 +20,8 @@ using RealtimeStep = std::function<void(const double* u, double* x)>;
 
 /// When steps are released: step after step, one every period, until that many are done or somebody stops it.
 struct ReleaseClock {
-  double period = 1e-3;                            // [s] 1e-6 .. 3600
-  long steps = std::numeric_limits<long>::max();   // >= 0
+  double period = 1e-3;                           // [s] 1e-6 .. 3600
+  long steps = std::numeric_limits<long>::max();  // >= 0
 };
 
 /// What is asked of the system; what was got stands in the report.
@@ -49,8 +49,8 @@ struct RealtimeReport {
   DurationSummary step{};      // from there to the end of the step, exchange of rows included [s]
   DurationSummary response{};  // from a release to the end of its step [s]
   bool memory_locked = false;
-  std::string memory_note{};   // why not, or empty
-  MemberReport thread{};       // core, priority and usage of the thread that stepped
+  std::string memory_note{};  // why not, or empty
+  MemberReport thread{};      // core, priority and usage of the thread that stepped
 };
 
 /// Steps released by the monotonic clock, for models that run against hardware. Runs on a thread of its own; the

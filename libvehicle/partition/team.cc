@@ -41,9 +41,9 @@ class TeamRun {
     try {
       for (int i = 0; i < choice_.threads; ++i) threads.emplace_back([this, i] { live(i); });
     } catch (const std::system_error& refused) {
-      fail(std::make_exception_ptr(std::runtime_error(
-          "team: thread " + std::to_string(threads.size() + 1) + " of " + std::to_string(choice_.threads) +
-          " was refused by the system (" + refused.what() + "); take fewer threads")));
+      fail(std::make_exception_ptr(std::runtime_error("team: thread " + std::to_string(threads.size() + 1) + " of " +
+                                                      std::to_string(choice_.threads) + " was refused by the system (" +
+                                                      refused.what() + "); take fewer threads")));
     }
     for (std::thread& thread : threads) thread.join();
     if (failure_) std::rethrow_exception(failure_);

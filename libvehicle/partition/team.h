@@ -28,9 +28,9 @@ struct TeamChoice {
   int threads = 1;
   Pinning pinning = Pinning::kCores;
   Priority priority = Priority::kNormal;
-  std::string waiting = "auto";                          // waitingNames()
+  std::string waiting = "auto";                           // waitingNames()
   std::function<void(int thread, long epoch)> disturb{};  // tests: called at every exchange by the thread itself
-  Tracer* tracer = nullptr;                              // watched where set; outlives the run
+  Tracer* tracer = nullptr;                               // watched where set; outlives the run
 };
 
 /// Ends the work of a member whose team was stopped. Never reaches the caller of runTeam(): let it pass.
@@ -66,15 +66,18 @@ class alignas(64) Member {
 
   /// Lets a test delay this exchange.
   void disturb(long epoch) const {
-    if (disturb_ != nullptr) [[unlikely]] (*disturb_)(number_, epoch);
+    if (disturb_ != nullptr) [[unlikely]]
+      (*disturb_)(number_, epoch);
   }
 
   /// Frame a step for the trace; both cost one branch without a tracer.
   void beginStep(long step) {
-    if (trace_ != nullptr) [[unlikely]] trace_->beginStep(step);
+    if (trace_ != nullptr) [[unlikely]]
+      trace_->beginStep(step);
   }
   void endStep(long step) {
-    if (trace_ != nullptr) [[unlikely]] trace_->endStep(step);
+    if (trace_ != nullptr) [[unlikely]]
+      trace_->endStep(step);
   }
 
   /// Every member that waits for something not ready throws TeamStopped; the caller itself returns from its work.
@@ -94,13 +97,15 @@ class alignas(64) Member {
 
   template <class Ready, class Wanted>
   void waitLonger(Ready& ready, int for_whom, Wanted core_is_wanted) {
-    if (trace_ != nullptr) [[unlikely]] trace_->beginWait(for_whom);
+    if (trace_ != nullptr) [[unlikely]]
+      trace_->beginWait(for_whom);
     Patience patience(waiting_);
     do {
       if (stopped()) throw TeamStopped{};
       patience.turn(core_is_wanted());
     } while (!ready());
-    if (trace_ != nullptr) [[unlikely]] trace_->endWait();
+    if (trace_ != nullptr) [[unlikely]]
+      trace_->endWait();
   }
 
   int number_;

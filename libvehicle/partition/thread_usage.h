@@ -11,13 +11,13 @@ namespace vehicle {
 /// /proc/self/task/<tid>/ schedstat (waited to run), stat (blocked on a device, field 42) and sched (migrations). A
 /// container may hide any of the files.
 struct ThreadUsage {
-  double wall = -1.0;        // [s] since the usage before was taken
-  double running = -1.0;     // [s] on a core
-  double preempted = -1.0;   // [s] ready to run, but on no core
-  double blocked_io = -1.0;  // [s] waiting for a device
-  long voluntary = -1;       // context switches: gave its core away (sleep, yield, lock)
-  long involuntary = -1;     // context switches: its core was taken
-  long migrations = -1;      // moves to another core
+  double wall = -1.0;                // [s] since the usage before was taken
+  double running = -1.0;             // [s] on a core
+  double preempted = -1.0;           // [s] ready to run, but on no core
+  double blocked_io = -1.0;          // [s] waiting for a device
+  long voluntary = -1;               // context switches: gave its core away (sleep, yield, lock)
+  long involuntary = -1;             // context switches: its core was taken
+  long migrations = -1;              // moves to another core
   std::vector<std::string> missing;  // what is not available and why, one line each
 };
 

@@ -18,7 +18,8 @@ constexpr double kCalibration = 10e-3;  // [s] two clock readings of 50 ns error
 constexpr double kUneven = 5e-3;        // share by which the counter's rate may differ between two intervals
 
 void requireAtLeastOne(const char* name, int value) {
-  if (value < 1) throw std::invalid_argument(std::string("tracer: ") + name + " = " + std::to_string(value) + ", must be >= 1");
+  if (value < 1)
+    throw std::invalid_argument(std::string("tracer: ") + name + " = " + std::to_string(value) + ", must be >= 1");
 }
 
 }  // namespace

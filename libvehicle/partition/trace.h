@@ -24,7 +24,10 @@ inline std::uint64_t stampTicks() {
 
 /// What one thread did for a while, in a step that was traced.
 struct Span {
-  enum class Kind { kCompute, kWait };
+  enum class Kind {
+    kCompute,
+    kWait
+  };
   int thread = 0;
   long step = 0;
   Kind kind = Kind::kCompute;
@@ -44,17 +47,17 @@ struct WaitTotal {
 /// All that a tracer saw, as plain data.
 struct Trace {
   int threads = 0;
-  int every = 1;                // steps 0, every, 2 every, ... were traced
-  std::vector<Span> spans{};    // by thread, then by time
+  int every = 1;                   // steps 0, every, 2 every, ... were traced
+  std::vector<Span> spans{};       // by thread, then by time
   std::vector<WaitTotal> waits{};  // pairs that occurred, the longest first
-  DurationSummary steps{};      // member 0, ALL steps: from the end of one to the end of the next [s]
-  long traced_steps = 0;        // of member 0
-  long dropped_steps = 0;       // of all members: not traced because the buffer was full
-  long stamps = 0;              // clock readings of all members together
-  double stamp_cost = 0.0;      // [s] of one reading, measured in this run
-  double overhead = 0.0;        // [s] member 0 spent reading the clock: its stamps x stamp_cost
-  double run_seconds = 0.0;     // [s] from the first begin to the last end of a step of member 0
-  std::string clock_note{};     // what is wrong with the clock, or empty
+  DurationSummary steps{};         // member 0, ALL steps: from the end of one to the end of the next [s]
+  long traced_steps = 0;           // of member 0
+  long dropped_steps = 0;          // of all members: not traced because the buffer was full
+  long stamps = 0;                 // clock readings of all members together
+  double stamp_cost = 0.0;         // [s] of one reading, measured in this run
+  double overhead = 0.0;           // [s] member 0 spent reading the clock: its stamps x stamp_cost
+  double run_seconds = 0.0;        // [s] from the first begin to the last end of a step of member 0
+  std::string clock_note{};        // what is wrong with the clock, or empty
 };
 
 /// The recorder of one thread. Only that thread writes it while the team runs.
@@ -113,9 +116,9 @@ class alignas(64) ThreadTrace {
 
   std::vector<Record> records_;  // all of it allocated and touched before the run
   std::size_t used_ = 0;
-  std::uint64_t mark_ = 0;       // where the open span begins
+  std::uint64_t mark_ = 0;  // where the open span begins
   long step_ = 0;
-  long next_ = 0;                // the next step to trace
+  long next_ = 0;  // the next step to trace
   int every_;
   int for_whom_ = -1;
   bool open_ = false;

@@ -22,18 +22,13 @@ inline std::uint64_t scrambled(std::uint64_t a, std::uint64_t b = 0, std::uint64
 inline std::function<void(int, long)> randomDelays(std::uint64_t seed) {
   return [seed](int thread, long epoch) {
     const std::uint64_t drawn = scrambled(seed, static_cast<std::uint64_t>(thread), static_cast<std::uint64_t>(epoch));
-    switch (drawn % 32) {
-      case 0: case 1: case 2: case 3: case 4: case 5:
-        for (std::uint64_t i = 0; i < (drawn >> 8) % 200; ++i) pauseCore();
-        break;
-      case 6: case 7: case 8:
-        std::this_thread::yield();
-        break;
-      case 9:
-        if ((drawn >> 16) % 8 == 0) std::this_thread::sleep_for(std::chrono::microseconds((drawn >> 8) % 50));
-        break;
-      default:
-        break;
+    const std::uint64_t kind = drawn % 32;
+    if (kind < 6) {
+      for (std::uint64_t i = 0; i < (drawn >> 8) % 200; ++i) pauseCore();
+    } else if (kind < 9) {
+      std::this_thread::yield();
+    } else if (kind == 9 && (drawn >> 16) % 8 == 0) {
+      std::this_thread::sleep_for(std::chrono::microseconds((drawn >> 8) % 50));
     }
   };
 }

@@ -35,7 +35,8 @@ TEST(DurationHistogram, SmallNumbersAreExact) {
 TEST(DurationHistogram, BinsHoldEveryDurationAndJoin) {
   DurationHistogram histogram;
   long recorded = 0;
-  for (std::uint64_t ticks = 1; ticks < (std::uint64_t{1} << 62); ticks += 1 + ticks / 40, ++recorded) histogram.record(ticks);
+  for (std::uint64_t ticks = 1; ticks < (std::uint64_t{1} << 62); ticks += 1 + ticks / 40, ++recorded)
+    histogram.record(ticks);
   const DurationSummary summary = histogram.summary(1.0);
   long counted = 0;
   for (std::size_t i = 0; i < summary.bins.size(); ++i) {

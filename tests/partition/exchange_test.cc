@@ -18,7 +18,7 @@ using test::scrambled;
 // Thread i computes values from all values of its neighbours one epoch before: a wrong, old, new or torn value
 // anywhere changes every number after it.
 struct Network {
-  std::vector<int> values;                  // of each thread
+  std::vector<int> values;                   // of each thread
   std::vector<std::vector<int>> neighbours;  // symmetric
 
   Network(int threads, std::uint64_t seed) {
@@ -42,7 +42,8 @@ struct Network {
       const double* seen = values_of(other);
       for (int k = 0; k < values[static_cast<std::size_t>(other)]; ++k) sum = 0.7 * sum + (k + 1) * seen[k];
     }
-    for (int k = 0; k < values[me]; ++k) own[k] = sum / (k + 2.0) - 1e3 * static_cast<double>(static_cast<long>(sum / 1e3));
+    for (int k = 0; k < values[me]; ++k)
+      own[k] = sum / (k + 2.0) - 1e3 * static_cast<double>(static_cast<long>(sum / 1e3));
   }
 };
 
@@ -58,8 +59,9 @@ Log serial(const Network& network, long epochs) {
   }
   for (long epoch = 1; epoch <= epochs; ++epoch) {
     for (std::size_t i = 0; i < n; ++i) {
-      network.next(static_cast<int>(i), epoch,
-                   [&](int other) { return before[static_cast<std::size_t>(other)].data(); }, after[i].data());
+      network.next(
+          static_cast<int>(i), epoch, [&](int other) { return before[static_cast<std::size_t>(other)].data(); },
+          after[i].data());
       log[i].insert(log[i].end(), after[i].begin(), after[i].end());
     }
     before = after;
@@ -77,14 +79,14 @@ Log exchanged(const Network& network, long epochs, TeamChoice choice) {
     const int count = exchange.values(me.number());
     for (long epoch = 1; epoch <= epochs; ++epoch) {
       double* own = exchange.slot(me.number(), epoch);
-      network.next(me.number(), epoch,
-                   [&](int other) {
-                     const double* seen =
-                         epoch == 1 ? exchange.slot(other, 0) : exchange.await(me, other, epoch - 1);
-                     me.disturb(-epoch);  // between the look and the read
-                     return seen;
-                   },
-                   own);
+      network.next(
+          me.number(), epoch,
+          [&](int other) {
+            const double* seen = epoch == 1 ? exchange.slot(other, 0) : exchange.await(me, other, epoch - 1);
+            me.disturb(-epoch);  // between the look and the read
+            return seen;
+          },
+          own);
       mine.insert(mine.end(), own, own + count);
       exchange.publish(me, epoch);
     }
@@ -119,11 +121,14 @@ TEST(Exchange, DeliversThePublishedValuesAtFullSpeed) {
 // Lines that two owners write would travel at every store of either.
 TEST(Exchange, OwnersShareNoCacheLineAndCounterAndValuesDo) {
   Exchange exchange({7, 8, 0, 30});
-  const auto address = [&](int owner, long epoch) { return reinterpret_cast<std::uintptr_t>(exchange.slot(owner, epoch)); };
+  const auto address = [&](int owner, long epoch) {
+    return reinterpret_cast<std::uintptr_t>(exchange.slot(owner, epoch));
+  };
   for (int owner = 0; owner < exchange.threads(); ++owner) {
     for (const long epoch : {1L, 2L}) {
       EXPECT_EQ(address(owner, epoch) % 64, sizeof(double)) << "the counter stands before the values";
-      const std::uintptr_t end = address(owner, epoch) + sizeof(double) * static_cast<std::size_t>(exchange.values(owner));
+      const std::uintptr_t end =
+          address(owner, epoch) + sizeof(double) * static_cast<std::size_t>(exchange.values(owner));
       if (epoch == 1) {
         EXPECT_NE(address(owner, 2) / 64, (end - 1) / 64);
       }

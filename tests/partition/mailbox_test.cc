@@ -15,7 +15,8 @@ namespace vehicle {
 namespace {
 
 double valueOf(long number, int column) {
-  return static_cast<double>(test::scrambled(static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(column)) >> 12);
+  return static_cast<double>(test::scrambled(static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(column)) >>
+                             12);
 }
 
 // One thread writes, one reads, both delayed at random: every row arrives once, whole and in order.

@@ -43,9 +43,8 @@ TEST(Placement, ThreadsStandOnTheirCoresAndTheCallerKeepsItsOwn) {
   const std::vector<int> cores = allowedCores();
   const int threads = static_cast<int>(cores.size()) + 1;
   std::vector<int> seen(static_cast<std::size_t>(threads));
-  const TeamReport report = runTeam({.threads = threads}, [&](Member& me) {
-    seen[static_cast<std::size_t>(me.number())] = sched_getcpu();
-  });
+  const TeamReport report =
+      runTeam({.threads = threads}, [&](Member& me) { seen[static_cast<std::size_t>(me.number())] = sched_getcpu(); });
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_TRUE(report.members[i].pinned) << report.members[i].pinning_note;
     EXPECT_EQ(seen[i], cores[i % cores.size()]);

@@ -74,7 +74,8 @@ TEST(Team, AnExceptionOfAnyMemberAtAnyEpochStopsAllAndReachesTheCaller) {
         try {
           runTeam(choice, [&](Member& me) {
             exchangeAll(me, exchange, kEpochs, [&](long epoch) {
-              if (me.number() == thrower && epoch == when) throw std::runtime_error("member " + std::to_string(thrower));
+              if (me.number() == thrower && epoch == when)
+                throw std::runtime_error("member " + std::to_string(thrower));
             });
           });
           ADD_FAILURE() << "no exception";
@@ -169,8 +170,8 @@ TEST(Team, TheReportSaysWhichPriorityWasGotAndWhyNotMore) {
   }
   const int before = getpriority(PRIO_PROCESS, 0);
   std::atomic<int> nice{0};
-  const TeamReport raised = runTeam({.threads = 1, .priority = Priority::kRaised},
-                                    [&](Member&) { nice = getpriority(PRIO_PROCESS, 0); });
+  const TeamReport raised =
+      runTeam({.threads = 1, .priority = Priority::kRaised}, [&](Member&) { nice = getpriority(PRIO_PROCESS, 0); });
   const MemberReport& member = raised.members.front();
   if (member.priority == "normal") {
     EXPECT_NE(member.priority_note.find("nice -10 was refused ("), std::string::npos) << member.priority_note;

@@ -1,7 +1,8 @@
 // One vehicle and trains of N = 1 .. 4096 vehicles, shared among threads: every design and thread count against the
 // best serial code, its step as a multiple of its floor, and the map speed-up(N, threads) with the crossover.
 //
-// usage: bench_partition [latency] [vehicle] [oversubscribed] [trains] [blocks] [--largest N] [--csv FILE]
+// usage: bench_partition [vehicle] [oversubscribed] [trains] [blocks] [--largest N] [--most-threads N]
+//                        [--csv FILE]
 //
 // Wall time from the first output sample to the last, so that starting threads does not count; designs take turns, the
 // median of all turns is shown. All runs give the same bits (tests/partition/solvers_test.cc); a hash of the final
@@ -221,12 +222,12 @@ void print(const std::vector<Figure>& figures, double serial) {
   }
 }
 
-std::vector<Figure> oneVehicle() {
+std::vector<Figure> oneVehicle(int most_threads) {
   const Problem problem(1, 300, 64);
   std::vector<Design> designs = {byType(), blocked(),
                                  shared("stages auto", Scheme::kStages, EquationMap::kAuto, 1),
                                  shared("halo auto", Scheme::kHalo, EquationMap::kAuto, 1)};
-  for (int threads = 2; threads <= 4; ++threads) {
+  for (int threads = 2; threads <= most_threads; ++threads) {
     designs.push_back(shared("stages auto", Scheme::kStages, EquationMap::kAuto, threads));
     if (threads < 4) designs.push_back(shared("stages body", Scheme::kStages, EquationMap::kBody, threads));
     if (threads == 4) designs.push_back(shared("stages paper", Scheme::kStages, EquationMap::kPaper, threads));
@@ -239,7 +240,7 @@ std::vector<Figure> oneVehicle() {
   // The exact method steps from sample to sample.
   const Problem samples(1, 12000, 1);
   std::vector<Design> exact_designs = {exact()};
-  for (int threads = 2; threads <= 4; ++threads) {
+  for (int threads = 2; threads <= most_threads; ++threads) {
     exact_designs.push_back(shared("rows auto", Scheme::kRows, EquationMap::kAuto, threads));
   }
   const std::vector<Figure> more = race("vehicle", samples, exact_designs, 7);
@@ -349,10 +350,13 @@ int main(int argc, char** argv) {
   std::set<std::string> wanted;
   std::string csv;
   int largest = 4096;
+  int most_threads = 4;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--csv" && i + 1 < argc) {
       csv = argv[++i];
+    } else if (word == "--most-threads" && i + 1 < argc) {
+      most_threads = std::clamp(std::atoi(argv[++i]), 1, 4);  // equations
     } else if (word == "--largest" && i + 1 < argc) {
       largest = std::atoi(argv[++i]);
     } else {
@@ -363,7 +367,7 @@ int main(int argc, char** argv) {
   fmt::print("{} cores\n", vehicle::allowedCores().size());
   std::vector<Figure> figures;
   const auto add = [&](std::vector<Figure> more) { figures.insert(figures.end(), more.begin(), more.end()); };
-  if (asked("vehicle")) add(oneVehicle());
+  if (asked("vehicle")) add(oneVehicle(most_threads));
   if (asked("oversubscribed")) add(oversubscribed());
   if (asked("trains")) add(trains(largest));
   if (wanted.count("blocks") > 0) add(blocks());

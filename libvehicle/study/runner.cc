@@ -125,6 +125,11 @@ StudyRecord recordOf(const DesignPlan& plan, const StudyTarget& target) {
   return record;
 }
 
+StudyDatabase openOrCreate(const StudyTarget& target, const StudyRecord& record) {
+  const bool goes_on = target.resume && std::filesystem::exists(target.database);
+  return goes_on ? StudyDatabase::resume(target.database, record) : StudyDatabase::create(target.database, record);
+}
+
 StudyOutcome runStudy(const StudyInputs& inputs, const DesignPlan& plan, const StudyTarget& target, Executor& executor,
                       const StudyWatch& watch) {
   const StudyEvaluator evaluator(inputs, [&plan](std::int64_t design, std::span<double> values) {
@@ -134,10 +139,7 @@ StudyOutcome runStudy(const StudyInputs& inputs, const DesignPlan& plan, const S
     serve(evaluator, executor);
     return {};
   }
-  const StudyRecord record = recordOf(plan, target);
-  const bool goes_on = target.resume && std::filesystem::exists(target.database);
-  StudyDatabase database =
-      goes_on ? StudyDatabase::resume(target.database, record) : StudyDatabase::create(target.database, record);
+  StudyDatabase database = openOrCreate(target, recordOf(plan, target));
   return evaluateMissing(database, evaluator, executor, watch);
 }
 

@@ -55,6 +55,10 @@ struct StudyTarget {
 /// What a study's database says of itself.
 [[nodiscard]] StudyRecord recordOf(const DesignPlan& plan, const StudyTarget& target);
 
+/// The target's database: with `resume` an old one if it is there, else a new one.
+/// @throws InvalidInput, RunFailed  as StudyDatabase::resume() and create()
+[[nodiscard]] StudyDatabase openOrCreate(const StudyTarget& target, const StudyRecord& record);
+
 /// Runs the designs of a plan: a new database, or with `resume` an old one of the same study, of which only what is
 /// missing is evaluated. The table depends on the study alone, not on threads, ranks, or how often it was interrupted.
 /// @param inputs  bound as the plan's study

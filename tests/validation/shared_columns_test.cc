@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "libvehicle/validation/validation.h"
+#include "tests/partition/affinity.h"
+#include "tests/support/vehicles.h"
+
+namespace vehicle {
+namespace {
+
+Scenario onsetFor(double duration) {
+  Scenario scenario = test::paperScenario(History::kOnset);
+  scenario.run.duration = duration;
+  return scenario;
+}
+
+ValidationChoice flatChoice() {
+  ValidationChoice choice;
+  choice.forms = {"flat"};
+  return choice;
+}
+
+bool hasRun(const ValidationReport& report, const std::string& text) {
+  return std::any_of(report.runs.begin(), report.runs.end(),
+                     [&](const ValidationRun& run) { return run.key.text() == text; });
+}
+
+/// Every run shared among threads has been compared with its serial one and is equal to it.
+void expectEqualBits(const ValidationReport& report) {
+  EXPECT_TRUE(report.inside());
+  std::size_t compared = 0;
+  for (const PairAgreement& pair : report.pairs) {
+    const RunKey& a = report.runs[pair.first].key;
+    const RunKey& b = report.runs[pair.second].key;
+    if (!haveEqualBits(a, b)) continue;
+    ++compared;
+    EXPECT_EQ(pair.expected.value_or(1.0), 0.0) << a.text() << " / " << b.text();
+    for (const ColumnAgreement& column : pair.columns) {
+      EXPECT_EQ(column.norms.max_difference, 0.0) << a.text() << " / " << b.text() << ": " << column.column.name;
+    }
+  }
+  EXPECT_GE(compared, 4u);
+}
+
+TEST(SharedColumns, ThePapersVehicleIsRunByEverySchemeAndHasTheBitsOfTheSerialRun) {
+  const ValidationReport report = validate(test::paperVehicle(), onsetFor(2.0), flatChoice());
+  for (const char* text : {"flat rk4 stages x4", "flat rk4 halo x2", "flat rk4 pipeline x2", "flat exact rows x2",
+                           "flat rk4_split", "flat rk4_split split x2", "flat exact_split split x2"}) {
+    EXPECT_TRUE(hasRun(report, text)) << text;
+  }
+  expectEqualBits(report);
+}
+
+// Speeds of the issue: 20..150 km/h, of which both ends and one between.
+TEST(SharedColumns, AreInsideFrom20To150KilometresAnHour) {
+  for (const double kmh : {20.0, 85.0, 150.0}) {
+    ValidationChoice choice = flatChoice();
+    choice.forms = {"flat", "mbs-linear"};
+    choice.methods = {"rk4", "exact"};
+    choice.run.speed = kmh / 3.6;
+    expectEqualBits(validate(test::paperVehicle(), onsetFor(1.0), choice));
+  }
+}
+
+TEST(SharedColumns, WorkOnASingleAllowedCore) {
+  const test::OnlyCore one(0);
+  expectEqualBits(validate(test::paperVehicle(), onsetFor(0.2), flatChoice()));
+}
+
+TEST(SharedColumns, OfAnAsymmetricVehicleLeaveBounceAndPitchTogether) {
+  Vehicle vehicle = test::paperVehicle();
+  test::named(vehicle.bodies, "front_bogie").mass *= 1.25;
+  const ValidationReport report = validate(vehicle, onsetFor(1.0), flatChoice());
+  EXPECT_FALSE(hasRun(report, "flat rk4_split"));
+  EXPECT_TRUE(hasRun(report, "flat rk4 stages x4"));
+  expectEqualBits(report);
+  // Nobody asked for the split methods, so that they do not fit is no news.
+  for (const Misfit& misfit : report.misfits) EXPECT_NE(misfit.method, "rk4_split");
+  ValidationChoice asked = flatChoice();
+  asked.methods = {"rk4_split", "exact"};
+  const ValidationReport told = validate(vehicle, onsetFor(1.0), asked);
+  ASSERT_FALSE(told.misfits.empty());
+  EXPECT_EQ(told.misfits[0].method, "rk4_split");
+  EXPECT_NE(told.misfits[0].reason.find("mass of the front bogie"), std::string::npos) << told.misfits[0].reason;
+}
+
+TEST(SharedColumns, AreLeftOutOnRequest) {
+  ValidationChoice choice = flatChoice();
+  choice.shared.clear();
+  for (const ValidationRun& run : validate(test::paperVehicle(), onsetFor(0.5), choice).runs) {
+    EXPECT_EQ(run.key.scheme, "") << run.key.text();
+    EXPECT_EQ(run.key.threads, 1);
+  }
+}
+
+// The verdict can fail: one unit in the last place of one sample of one column, against an expectation of zero.
+TEST(SharedColumns, OneBitOfOneSampleIsOutside) {
+  const ValidationReport report = validate(test::paperVehicle(), onsetFor(0.5), flatChoice());
+  const auto pair = std::find_if(report.pairs.begin(), report.pairs.end(), [&](const PairAgreement& each) {
+    return haveEqualBits(report.runs[each.first].key, report.runs[each.second].key);
+  });
+  ASSERT_NE(pair, report.pairs.end());
+  Expectation zero;
+  zero.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(pair->columns.size()));
+  zero.rounding = zero.size;
+  RunChoice choice;
+  choice.form = "flat";
+  choice.method = "rk4";
+  const TimeHistory right = simulate(test::paperVehicle(), onsetFor(0.5), choice).history;
+  TimeHistory wrong(std::vector<Channel>(right.columns().begin() + 1, right.columns().end()));
+  for (std::size_t i = 0; i < right.samples(); ++i) {
+    const std::span<double> row = wrong.append(right.at(i, 0));
+    for (std::size_t j = 1; j < row.size(); ++j) row[j] = right.at(i, j);
+    if (i == 50) row[3] = std::nextafter(row[3], 1.0);
+  }
+  EXPECT_EQ(compareHistories(right, right, zero).verdict, Verdict::kInside);
+  EXPECT_EQ(compareHistories(right, wrong, zero).verdict, Verdict::kOutside);
+}
+
+}  // namespace
+}  // namespace vehicle

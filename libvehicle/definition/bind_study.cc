@@ -59,7 +59,8 @@ class Binder {
   }
 
  private:
-  /// Index in bound_.parameters of an address, entered there at its first naming; nothing, and told, if it leads nowhere.
+  /// Index in bound_.parameters of an address, entered there at its first naming; nothing, and told, if it leads
+  /// nowhere.
   std::optional<std::size_t> indexOf(const std::string& address, Judge& judge) {
     for (std::size_t i = 0; i < bound_.parameters.size(); ++i) {
       if (bound_.parameters[i].address == address) return i;
@@ -294,8 +295,9 @@ class Binder {
       if (metric->kind == MetricKind::kColumn) {
         const auto found = std::find(columns.begin(), columns.end(), metric->subject);
         if (found == columns.end()) {
-          judge.say(written("name", each.name) + " asks for a column that the vehicle \"" + vehicle_.name + "\" has not",
-                    orNearest(metric->subject, columns, "columns are PART.QUANTITY, e.g. "));
+          judge.say(
+              written("name", each.name) + " asks for a column that the vehicle \"" + vehicle_.name + "\" has not",
+              orNearest(metric->subject, columns, "columns are PART.QUANTITY, e.g. "));
         } else {
           unit = channels[static_cast<std::size_t>(found - columns.begin())].unit;
         }
@@ -307,7 +309,8 @@ class Binder {
     if (problems_.empty()) bindGoals();
   }
 
-  static std::string orNearest(const std::string& word, const std::vector<std::string>& names, const std::string& else_) {
+  static std::string orNearest(const std::string& word, const std::vector<std::string>& names,
+                               const std::string& else_) {
     const std::optional<std::string> nearest = nearestName(word, names);
     return nearest ? "did you mean \"" + *nearest + "\"?" : else_ + names.front();
   }
@@ -361,8 +364,8 @@ class Binder {
 
 }  // namespace
 
-Outcome<BoundStudy> bind(const Study& study, const Vehicle& vehicle, const std::vector<Scenario>& scenarios,
-                         const std::vector<std::string>& listed) {
+Outcome<BoundStudy> bindStudy(const Study& study, const Vehicle& vehicle, const std::vector<Scenario>& scenarios,
+                              const std::vector<std::string>& listed) {
   return Binder(study, vehicle, scenarios).run(listed);
 }
 

@@ -13,9 +13,8 @@ double valueAt(const Factor& factor, double u) {
   }
   if (u <= 0.0) return factor.from;
   if (u >= 1.0) return factor.to;
-  const double value = factor.spacing == Spacing::kLogarithmic
-                           ? factor.from * std::pow(factor.to / factor.from, u)
-                           : factor.from + (factor.to - factor.from) * u;
+  const double value = factor.spacing == Spacing::kLogarithmic ? factor.from * std::pow(factor.to / factor.from, u)
+                                                               : factor.from + (factor.to - factor.from) * u;
   // Rounding must not lead out of the range.
   return std::clamp(value, std::min(factor.from, factor.to), std::max(factor.from, factor.to));
 }

@@ -31,7 +31,7 @@ struct Factor {
   std::vector<std::size_t> parameters;  // in BoundStudy::parameters
   Variation kind = Variation::kAbsolute;
   Spacing spacing = Spacing::kLinear;
-  double from = 0.0;           // [SI], or multiples of what the design says
+  double from = 0.0;  // [SI], or multiples of what the design says
   double to = 0.0;
   std::vector<double> levels;  // the same; empty: any value from `from` to `to`
 };
@@ -50,7 +50,7 @@ struct NamedDesign {
 
 struct BoundMetric {
   Metric metric;
-  std::string unit;  // SI
+  std::string unit;      // SI
   bool per_case = true;  // false: one value for all speeds and scenarios (modes, rest)
 };
 
@@ -80,8 +80,9 @@ struct BoundStudy {
 /// cannot take, columns it does not have. Names of modes only a run can confirm.
 /// @param study, vehicle, scenarios  in order by their own check(); scenarios in the study's order
 /// @param listed  addresses that a CSV list of designs brings
-[[nodiscard]] Outcome<BoundStudy> bind(const Study& study, const Vehicle& vehicle, const std::vector<Scenario>& scenarios,
-                                       const std::vector<std::string>& listed = {});
+[[nodiscard]] Outcome<BoundStudy> bindStudy(const Study& study, const Vehicle& vehicle,
+                                            const std::vector<Scenario>& scenarios,
+                                            const std::vector<std::string>& listed = {});
 
 /// Value of a factor at the place u, 0 <= u <= 1, of its range or list: [SI] or a multiple.
 [[nodiscard]] double valueAt(const Factor& factor, double u);

@@ -35,7 +35,7 @@ enum class Statistic {
 struct Metric {
   std::string name;  // as written, without the spaces around it
   MetricKind kind = MetricKind::kColumn;
-  std::string subject;  // "carbody.az", "carbody bounce", "secondary_front"
+  std::string subject;                    // "carbody.az", "carbody bounce", "secondary_front"
   Statistic statistic = Statistic::kRms;  // of a kColumn
   double percent = 0.0;                   // of the percentiles, 0 < percent < 100
   double low = 0.0;                       // [Hz] of a kBand, >= 0

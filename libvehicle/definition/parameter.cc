@@ -36,9 +36,7 @@ void addMember(std::vector<ScenarioParameter>& to, const Scenario& scenario, std
     if (members[i].name.empty()) continue;
     to.push_back(
         {"scenario." + members[i].name + '.' + std::string(attribute), dimension, i,
-         [](const Scenario& owner, std::size_t index) {
-           return numberIn(((*owner.track).*kMembers)[index], kMember);
-         },
+         [](const Scenario& owner, std::size_t index) { return numberIn(((*owner.track).*kMembers)[index], kMember); },
          [](Scenario& owner, std::size_t index, double si) { ((*owner.track).*kMembers)[index].*kMember = si; }});
   }
 }

@@ -86,7 +86,8 @@ class Checks {
     }
     if (!vary.values.empty()) {
       for (const std::string& value : listedIn(vary.values)) {
-        if (value.empty()) judge.say(written("values", vary.values) + " has an empty item", "put one comma between two");
+        if (value.empty())
+          judge.say(written("values", vary.values) + " has an empty item", "put one comma between two");
       }
       if (vary.spacing == Spacing::kLogarithmic) judge.say("has spacing with a list of values", "remove spacing");
       return;
@@ -126,7 +127,8 @@ class Checks {
     }
     if (plan.kind == PlanKind::kList) {
       if (plan.file.empty()) judge.say("has no file", "name the CSV file of the designs, e.g. file=\"designs.csv\"");
-      if (factors != 0) judge.say("stands beside a <vary>", "the columns of the file name what varies; remove the <vary>");
+      if (factors != 0)
+        judge.say("stands beside a <vary>", "the columns of the file name what varies; remove the <vary>");
     } else if (!plan.file.empty()) {
       judge.say("has file with another kind than list", "write kind=\"list\", or remove file");
     }
@@ -224,7 +226,8 @@ class Checks {
       Judge judge(problems_, "<study><objective>", each.metric, each.origin);
       if (!knows(each.metric, judge)) continue;
       const auto [first, fresh] = seen.try_emplace(each.metric, each.origin);
-      if (!fresh) judge.say(written("metric", each.metric) + " has a goal already" + inLine(first->second), "give it one");
+      if (!fresh)
+        judge.say(written("metric", each.metric) + " has a goal already" + inLine(first->second), "give it one");
     }
   }
 

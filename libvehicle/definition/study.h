@@ -29,11 +29,11 @@ enum class Spacing {
 struct Vary {
   std::string parameter;  // "front_bogie.mass, rear_bogie.mass": every one gets the value
   Variation kind = Variation::kAbsolute;
-  std::string from;          // range, as written; with to
+  std::string from;  // range, as written; with to
   std::string to;
   std::optional<int> count;  // steps of the range, both ends included; without: any value between (no grid)
   Spacing spacing = Spacing::kLinear;
-  std::string values;        // list, "80 km/h, 120 km/h"; instead of a range
+  std::string values;  // list, "80 km/h, 120 km/h"; instead of a range
   Origin origin;
   bool operator==(const Vary&) const = default;
 };

@@ -11,8 +11,8 @@ namespace vehicle {
 // SQLite's handles with one owner each. Private to this room.
 
 struct SqliteError {
-  int code = 0;         // extended result code
-  std::string reason;   // e.g. "database or disk is full", with the system's reason where there is one
+  int code = 0;        // extended result code
+  std::string reason;  // e.g. "database or disk is full", with the system's reason where there is one
 };
 
 class SqliteConnection {
@@ -46,7 +46,8 @@ class SqliteStatement {
   void bind(int place, std::int64_t value) { check(sqlite3_bind_int64(handle_, place, value)); }
   void bind(int place, double value) { check(sqlite3_bind_double(handle_, place, value)); }
   void bind(int place, std::string_view text) {
-    check(sqlite3_bind_text(handle_, place, text.empty() ? "" : text.data(), static_cast<int>(text.size()), SQLITE_STATIC));
+    check(sqlite3_bind_text(handle_, place, text.empty() ? "" : text.data(), static_cast<int>(text.size()),
+                            SQLITE_STATIC));
   }
   void bindNothing(int place) { check(sqlite3_bind_null(handle_, place)); }
 

@@ -28,7 +28,7 @@ namespace {
 
 // Measured on 10^6 rows of 30 numbers; docs/decisions.md has the figures.
 constexpr int kPageBytes = 16384;
-constexpr int kLogPages = 4096;        // of the write-ahead log before it is moved into the file: 64 MiB
+constexpr int kLogPages = 4096;  // of the write-ahead log before it is moved into the file: 64 MiB
 constexpr int kCacheKib = 32 * 1024;
 constexpr int kWaitForReaders = 5000;  // [ms]
 
@@ -61,9 +61,10 @@ void requireRoom(SqliteConnection& connection, const StudyRecord& record) {
   ProblemList problems;
   const std::string file = record.inputs.empty() ? "" : record.inputs.front().name;
   tell(problems, file, 0,
-       fmt::format("the study makes {} columns ({} parameters, {} metrics over all speeds and scenarios), at most {} fit "
-                   "in a row",
-                   values, record.parameters.size(), record.metrics.size(), most),
+       fmt::format(
+           "the study makes {} columns ({} parameters, {} metrics over all speeds and scenarios), at most {} fit "
+           "in a row",
+           values, record.parameters.size(), record.metrics.size(), most),
        "ask for fewer metrics or speeds, or make two studies");
   throw InvalidInput(std::move(problems));
 }
@@ -112,9 +113,10 @@ void requireSame(const StudyRecord& before, const StudyRecord& now, const std::s
     throw InvalidInput(std::move(problems));
   }
   if (before.program != now.program) {
-    throw RunFailed(fmt::format("{}: was begun by {}, this is {}: their numbers may differ in the last digits; go on with "
-                                "that program, or write to a new file",
-                                shown, before.program, now.program));
+    throw RunFailed(
+        fmt::format("{}: was begun by {}, this is {}: their numbers may differ in the last digits; go on with "
+                    "that program, or write to a new file",
+                    shown, before.program, now.program));
   }
   if (before.parameters != now.parameters || before.metrics != now.metrics || before.designs != now.designs) {
     throw RunFailed(fmt::format("{}: holds other columns or another number of designs; write to a new file", shown));
@@ -151,7 +153,7 @@ void requireFile(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_regular_file(status)) return;
-  const char* why = !fs::exists(status)         ? "there is no such file"
+  const char* why = !fs::exists(status)        ? "there is no such file"
                     : fs::is_directory(status) ? "it is a folder"
                                                : "it is a device or pipe";
   throw RunFailed(fmt::format("{}: cannot be opened: {}", path.string(), why));
@@ -252,7 +254,8 @@ StudyDatabase StudyDatabase::read(const fs::path& path) {
     fs::path log = path;
     log += "-wal";
     std::error_code ignored;
-    if ((code != SQLITE_CANTOPEN && code != SQLITE_READONLY) || fs::exists(log, ignored)) failOpening(open->shown, error);
+    if ((code != SQLITE_CANTOPEN && code != SQLITE_READONLY) || fs::exists(log, ignored))
+      failOpening(open->shown, error);
     try {
       open->connection = std::make_unique<SqliteConnection>(immutableUri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
       open->record = recordIn(*open->connection, open->shown);

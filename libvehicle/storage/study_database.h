@@ -58,8 +58,8 @@ class StudyDatabase {
   /// Calls `visit` with every design in the order of ids, in constant memory, until it returns false.
   void forEach(const std::function<bool(const StoredDesign&)>& visit) const;
 
-  /// The whole table as comma-separated text, one line a design in the order of ids, written atomically; every number is
-  /// the shortest text that reads back to the same bits, the metrics of failed designs are empty.
+  /// The whole table as comma-separated text, one line a design in the order of ids, written atomically; every number
+  /// is the shortest text that reads back to the same bits, the metrics of failed designs are empty.
   ///
   ///     design,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
   /// @throws RunFailed

@@ -33,8 +33,8 @@ void requireStorable(const StudyRecord& record, const DesignBatch& batch) {
     const auto index = static_cast<std::size_t>(wrong - values.begin());
     const std::size_t parameters = record.parameters.size();
     const Channel& column = index < parameters ? record.parameters[index] : record.metrics[index - parameters];
-    throw std::invalid_argument(
-        fmt::format("StudyDatabase: design {}: {} = {}, must be finite; such a design has failed", id, column.name, *wrong));
+    throw std::invalid_argument(fmt::format(
+        "StudyDatabase: design {}: {} = {}, must be finite; such a design has failed", id, column.name, *wrong));
   }
 }
 

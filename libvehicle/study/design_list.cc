@@ -78,7 +78,9 @@ Outcome<DesignList> readDesignList(std::string_view text, const std::string& fil
     }
     list.parameters.push_back(static_cast<std::size_t>(found - study.parameters.begin()));
     const ParsedQuantity one = parseQuantity("1 " + column.unit, found->dimension);
-    if (!one.si) tell(problems, file, 1, fmt::format("column \"{}\": the unit [{}] {}", column.name, column.unit, one.message), one.remedy);
+    if (!one.si)
+      tell(problems, file, 1, fmt::format("column \"{}\": the unit [{}] {}", column.name, column.unit, one.message),
+           one.remedy);
   }
   if (!problems.empty()) return outcome;
 
@@ -101,7 +103,8 @@ Outcome<DesignList> readDesignList(std::string_view text, const std::string& fil
       }
     }
   }
-  if (problems.empty() && list.values.empty()) tell(problems, file, 0, "holds no design", "write one a row under the header");
+  if (problems.empty() && list.values.empty())
+    tell(problems, file, 0, "holds no design", "write one a row under the header");
   if (problems.empty()) outcome.value = std::move(list);
   return outcome;
 }

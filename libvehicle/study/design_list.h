@@ -27,6 +27,7 @@ struct DesignList {
 [[nodiscard]] Outcome<std::vector<std::string>> listedAddresses(std::string_view text, const std::string& file);
 
 /// All rows, at most 20 problems: a unit of another kind, a field that is no number, too many or too few fields.
-[[nodiscard]] Outcome<DesignList> readDesignList(std::string_view text, const std::string& file, const BoundStudy& study);
+[[nodiscard]] Outcome<DesignList> readDesignList(std::string_view text, const std::string& file,
+                                                 const BoundStudy& study);
 
 }  // namespace vehicle

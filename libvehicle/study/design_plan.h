@@ -23,11 +23,11 @@ struct DesignIdentity {
   std::optional<std::uint64_t> point;  // nothing: the named design as it is
 };
 
-/// Every design of a study by its number: the parameter values follow from the study and the number alone, and no list of
-/// designs is kept (but for a CSV list), so any thread or rank may begin anywhere.
+/// Every design of a study by its number: the parameter values follow from the study and the number alone, and no list
+/// of designs is kept (but for a CSV list), so any thread or rank may begin anywhere.
 ///
-/// Numbers: 0 is "base", the vehicle as its file says it; 1 .. K are the named designs as they are. If anything is varied,
-/// the plan's N points follow for "base", then for each named design:  1 + K + named * N + point.
+/// Numbers: 0 is "base", the vehicle as its file says it; 1 .. K are the named designs as they are. If anything is
+/// varied, the plan's N points follow for "base", then for each named design:  1 + K + named * N + point.
 /// In a grid the last <vary> runs fastest. A Saltelli plan has N = size * (factors + 2) points in blocks
 /// A, B, AB_1 .. AB_d (sensitivity.h). A search has no points: it makes its own.
 class DesignPlan {

@@ -7,8 +7,8 @@ namespace vehicle {
 /// A shuffle of 0 .. n-1 that is computed, not stored: where each number goes follows from the key alone, in constant
 /// time and memory, so that 10^9 designs can be dealt out without a list of them.
 ///
-/// A Feistel network permutes the numbers of 2k bits, the smallest such range that holds n; a result beyond n is permuted
-/// again until it lies within ("cycle walking", less than 4 times on average).
+/// A Feistel network permutes the numbers of 2k bits, the smallest such range that holds n; a result beyond n is
+/// permuted again until it lies within ("cycle walking", less than 4 times on average).
 /// Source: J. Black, P. Rogaway, Ciphers with Arbitrary Finite Domains, CT-RSA 2002.
 class KeyedPermutation {
  public:

@@ -43,11 +43,12 @@ bool dominates(std::span<const double> a, std::span<const double> b) {
 bool ParetoFront::add(std::uint64_t design, std::span<const double> values) {
   if (values.size() != objectives_) throw std::invalid_argument("ParetoFront: another number of objectives");
   if (!isFinite(values)) return false;
-  const auto place = std::lower_bound(members_.begin(), members_.end(), values,
-                                      [](const Member& a, std::span<const double> b) { return precedes(a.objectives, b); });
+  const auto place =
+      std::lower_bound(members_.begin(), members_.end(), values,
+                       [](const Member& a, std::span<const double> b) { return precedes(a.objectives, b); });
   if (place != members_.end() && std::equal(values.begin(), values.end(), place->objectives.begin())) return false;
-  // Only what precedes can dominate, only what follows can be dominated. On a front of two objectives the second falls as
-  // the first rises, so the nearest one before tells for all of them.
+  // Only what precedes can dominate, only what follows can be dominated. On a front of two objectives the second falls
+  // as the first rises, so the nearest one before tells for all of them.
   const auto first = objectives_ == 2 && place != members_.begin() ? place - 1 : members_.begin();
   for (auto each = first; each != place; ++each) {
     if (dominates(each->objectives, values)) return false;
@@ -58,9 +59,9 @@ bool ParetoFront::add(std::uint64_t design, std::span<const double> values) {
     while (end != members_.end() && dominates(values, end->objectives)) ++end;
     members_.erase(place, end);
   } else {
-    members_.erase(std::remove_if(place, members_.end(),
-                                  [&](const Member& each) { return dominates(values, each.objectives); }),
-                   members_.end());
+    members_.erase(
+        std::remove_if(place, members_.end(), [&](const Member& each) { return dominates(values, each.objectives); }),
+        members_.end());
   }
   members_.insert(members_.begin() + begin, Member{design, {values.begin(), values.end()}});
   return true;
@@ -83,9 +84,8 @@ std::vector<std::size_t> paretoRanks(std::span<const double> values, std::size_t
     const auto beats = [&](const std::vector<std::size_t>& front) {
       // With two objectives the last one that entered has the least second objective of its front.
       if (objectives == 2) return dominates(rowOf(values, objectives, front.back()), own);
-      return std::any_of(front.rbegin(), front.rend(), [&](std::size_t member) {
-        return dominates(rowOf(values, objectives, member), own);
-      });
+      return std::any_of(front.rbegin(), front.rend(),
+                         [&](std::size_t member) { return dominates(rowOf(values, objectives, member), own); });
     };
     const auto found = std::partition_point(fronts.begin(), fronts.end(), beats);
     ranks[design] = static_cast<std::size_t>(found - fronts.begin());

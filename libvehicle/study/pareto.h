@@ -13,8 +13,8 @@ namespace vehicle {
 /// Whether a is no worse in any objective and better in one.
 [[nodiscard]] bool dominates(std::span<const double> a, std::span<const double> b);
 
-/// The designs that no other dominates, gathered one by one: memory is that of the front alone. Of equal designs the first
-/// one stays.
+/// The designs that no other dominates, gathered one by one: memory is that of the front alone. Of equal designs the
+/// first one stays.
 class ParetoFront {
  public:
   explicit ParetoFront(std::size_t objectives) : objectives_(objectives) {}
@@ -39,8 +39,8 @@ class ParetoFront {
 /// @param values  (designs x objectives), finite
 [[nodiscard]] std::vector<std::size_t> paretoRanks(std::span<const double> values, std::size_t objectives);
 
-/// How lonely each design of one front is: sum over the objectives of the gap between its neighbours over the whole extent;
-/// infinity at the ends. Source: Deb et al., IEEE Trans. Evol. Comput. 6 (2002) 182.
+/// How lonely each design of one front is: sum over the objectives of the gap between its neighbours over the whole
+/// extent; infinity at the ends. Source: Deb et al., IEEE Trans. Evol. Comput. 6 (2002) 182.
 /// @param values  (designs x objectives), finite
 [[nodiscard]] std::vector<double> crowdingDistances(std::span<const double> values, std::size_t objectives);
 

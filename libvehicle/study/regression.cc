@@ -12,7 +12,8 @@ Regression::Regression(std::size_t factors)
 void Regression::add(std::span<const double> x, double y) {
   const std::size_t size = means_.size();
   if (x.size() + 1 != size) throw std::invalid_argument("Regression: x has another size than there are factors");
-  const bool finite = std::isfinite(y) && std::all_of(x.begin(), x.end(), [](double each) { return std::isfinite(each); });
+  const bool finite =
+      std::isfinite(y) && std::all_of(x.begin(), x.end(), [](double each) { return std::isfinite(each); });
   if (!finite) return;
   ++count_;
   const auto count = static_cast<double>(count_);

@@ -54,7 +54,7 @@ void RestAndModes::evaluateRest(std::size_t row, double gravity, DesignRows& row
     const std::size_t suspension = placeOf(topology.suspensions, each.metric.subject);
     double& value = rows.metric(row, each.place);
     if (suspension == topology.suspensions.size()) {
-      value = rest.wheel_load[placeOf(topology.wheelsets, each.metric.subject)];  // bind() knows it
+      value = rest.wheel_load[placeOf(topology.wheelsets, each.metric.subject)];  // bindStudy() knows it
     } else if (each.metric.quantity == "load") {
       value = rest.suspension_load[suspension];
     } else if (topology.suspensions[suspension].stiffness > 0.0) {

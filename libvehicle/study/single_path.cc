@@ -110,7 +110,7 @@ class SteadySinglePath final : public SinglePath {
       const auto& columns = form->outputs();
       const auto found = std::find_if(columns.begin(), columns.end(),
                                       [&](const Channel& each) { return each.name == request.column; });
-      const auto column = static_cast<std::size_t>(found - columns.begin());  // bind() knows it
+      const auto column = static_cast<std::size_t>(found - columns.begin());  // bindStudy() knows it
       for (std::size_t f = 0; f < harmonics; ++f) harmonic_[f] = amplitudes_[f][column];
       for (const ColumnRequest::Entry& entry : request.entries) {
         rows.metric(row, entry.place) = statistic(entry.metric, mean_[column], harmonic_);

@@ -7,12 +7,12 @@
 
 namespace vehicle {
 
-/// Sobol's low-discrepancy sequence in [0, 1)^d with direction numbers of Boost.Random (Joe and Kuo), any point of it at
-/// the cost of one: point i is the exclusive or of the direction numbers at the ones of i's Gray code.
+/// Sobol's low-discrepancy sequence in [0, 1)^d with direction numbers of Boost.Random (Joe and Kuo), any point of it
+/// at the cost of one: point i is the exclusive or of the direction numbers at the ones of i's Gray code.
 ///
-/// The point at 0 counts too: without it blocks of 2^m points lose their balance (Owen 2020, On dropping the first Sobol'
-/// point). A seed other than 0 shifts all points by one random vector, digit by digit, which keeps the balance and
-/// moves the first point off the corner.
+/// The point at 0 counts too: without it blocks of 2^m points lose their balance (Owen 2020, On dropping the first
+/// Sobol' point). A seed other than 0 shifts all points by one random vector, digit by digit, which keeps the balance
+/// and moves the first point off the corner.
 /// Source: Antonov, Saleev, USSR Comput. Maths. Math. Phys. 19 (1980) 252.
 class SobolSequence {
  public:

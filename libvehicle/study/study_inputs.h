@@ -14,7 +14,7 @@ struct StudyInputs {
   Study study;
   Vehicle vehicle;                  // as its file says
   std::vector<Scenario> scenarios;  // in the study's order
-  BoundStudy bound;                 // bind() of the three
+  BoundStudy bound;                 // bindStudy() of the three
 };
 
 /// Speed at which a case runs [m/s]: its own, or the scenario's where the designs set or vary "speed" themselves.

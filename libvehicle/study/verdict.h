@@ -10,8 +10,8 @@ namespace vehicle {
 
 /// What the objectives and limits of a study say of one row of metrics.
 ///
-/// The worst of an objective's values over speeds and scenarios is the largest where it is minimised, the smallest where it
-/// is maximised; a limit has to be kept by every one of them.
+/// The worst of an objective's values over speeds and scenarios is the largest where it is minimised, the smallest
+/// where it is maximised; a limit has to be kept by every one of them.
 class Verdict {
  public:
   explicit Verdict(const BoundStudy& study);
@@ -22,7 +22,8 @@ class Verdict {
   /// The same with maximised ones negated, as pareto.h wants them.
   [[nodiscard]] std::vector<double> toMinimise(std::span<const double> metrics) const;
 
-  /// How far each limit is overstepped at its worst case, in the metric's unit [SI]; 0 where it is kept. Shape (limits).
+  /// How far each limit is overstepped at its worst case, in the metric's unit [SI]; 0 where it is kept. Shape
+  /// (limits).
   [[nodiscard]] std::vector<double> violations(std::span<const double> metrics) const;
   [[nodiscard]] bool keepsLimits(std::span<const double> metrics) const;
 

@@ -167,11 +167,13 @@ void checkStudyFiles(const Study& study, ProblemList& problems) {
   if (study.plan && study.plan->kind == PlanKind::kList) {
     const std::string list = resolvePath(study.plan->origin.file, study.plan->file);
     if (!std::filesystem::exists(list)) {
-      problems.add({study.plan->origin, "<study><plan>", fmt::format("file=\"{}\" is not there", shown(study.plan->file)),
+      problems.add({study.plan->origin, "<study><plan>",
+                    fmt::format("file=\"{}\" is not there", shown(study.plan->file)),
                     "paths count from the folder of the study"});
     }
   }
-  if (vehicle && scenarios.size() == study.scenarios.size()) problems.append(bind(study, *vehicle, scenarios).problems);
+  if (!vehicle || scenarios.size() != study.scenarios.size()) return;
+  problems.append(bindStudy(study, *vehicle, scenarios).problems);
 }
 
 }  // namespace

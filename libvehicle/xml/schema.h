@@ -32,7 +32,7 @@ enum class ValueKind {
   kName,        // letters, digits, "_" and "-", beginning with a letter or digit; unique in the file
   kReference,   // the name of another part; of a train's part "coach_2.carbody"
   kFile,        // a path, counted from the folder of the naming file
-  kText,        // words that definition's check() and bind() read
+  kText,        // words that definition's check() and bindStudy() read
   kQuantity,    // number with unit
   kInteger,     // whole number without unit
   kChoice,      // one word of a list

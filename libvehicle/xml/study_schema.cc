@@ -30,8 +30,9 @@ ElementRow varyRow() {
               .orElse("absolute"),
           words<&Vary::from>("from", "lower end of the range"),
           words<&Vary::to>("to", "upper end of the range"),
-          integer<&Vary::count>("count", 2, 1'000'000,
-                                "steps of the range, both ends included; without it a plan that samples takes any value"),
+          integer<&Vary::count>(
+              "count", 2, 1'000'000,
+              "steps of the range, both ends included; without it a plan that samples takes any value"),
           choice<&Vary::spacing>("spacing", {"linear", "logarithmic"}, "how the range is divided").orElse("linear"),
           words<&Vary::values>("values", "list with commas between, instead of a range"),
       });
@@ -40,13 +41,17 @@ ElementRow varyRow() {
 ElementRow planRow() {
   return element<&Study::plan>(
       "plan",
-      "How values become designs: grid crosses all of them; latin_hypercube and sobol fill the space with size designs; "
-      "saltelli makes size * (parameters + 2) designs for sensitivity indices; list reads a CSV file, one design a row.",
+      "How values become designs: grid crosses all of them; latin_hypercube and sobol fill the space with size "
+      "designs; "
+      "saltelli makes size * (parameters + 2) designs for sensitivity indices; list reads a CSV file, one design a "
+      "row.",
       R"(<plan kind="sobol" size="1000" seed="1"/>)",
       {
-          choice<&Plan::kind>("kind", {"grid", "latin_hypercube", "sobol", "saltelli", "list"}, "which plan").asRequired(),
+          choice<&Plan::kind>("kind", {"grid", "latin_hypercube", "sobol", "saltelli", "list"}, "which plan")
+              .asRequired(),
           integer<&Plan::size>("size", 1, kMostDesigns, "designs of a plan that samples"),
-          integer<&Plan::seed>("seed", 0, kMostDesigns, "another seed, another sample; sobol takes 0 for its plain sequence")
+          integer<&Plan::seed>("seed", 0, kMostDesigns,
+                               "another seed, another sample; sobol takes 0 for its plain sequence")
               .orElse("1"),
           bound<&Plan::file>("file", ValueKind::kFile,
                              "of a list: header PARAMETER [UNIT],..., counted from the folder of this file"),
@@ -73,23 +78,23 @@ ElementRow designRow() {
       R"(<design name="soft"> <set parameter="secondary.stiffness_z" value="600 kN/m"/> </design>)",
       {name<&StudyDesign::name>("what tables call it")},
       {text<&StudyDesign::title>("title", "One line for reports.", "<title>Air spring of 2019</title>"),
-       element<&StudyDesign::sets>(
-           "set", "A parameter, or several tied ones, with the value of this design.",
-           R"(<set parameter="secondary.stiffness_z" value="600 kN/m"/>)",
-           {
-               words<&StudySet::parameter>("parameter", "as in vary").asRequired(),
-               words<&StudySet::value>("value", "value with its unit").asRequired(),
-           })});
+       element<&StudyDesign::sets>("set", "A parameter, or several tied ones, with the value of this design.",
+                                   R"(<set parameter="secondary.stiffness_z" value="600 kN/m"/>)",
+                                   {
+                                       words<&StudySet::parameter>("parameter", "as in vary").asRequired(),
+                                       words<&StudySet::value>("value", "value with its unit").asRequired(),
+                                   })});
 }
 
 }  // namespace
 
 ElementRow studyRow() {
   const auto file = [] {
-    return bound<&FileReference::file>("file", ValueKind::kFile, "path, counted from the folder of this file").asRequired();
+    return bound<&FileReference::file>("file", ValueKind::kFile, "path, counted from the folder of this file")
+        .asRequired();
   };
-  ElementRow vehicle = element<&Study::vehicle>("vehicle", "The vehicle file.",
-                                                R"(<vehicle file="../vehicles/coach.xml"/>)", {file()});
+  ElementRow vehicle =
+      element<&Study::vehicle>("vehicle", "The vehicle file.", R"(<vehicle file="../vehicles/coach.xml"/>)", {file()});
   vehicle.required = true;
   return object<Study>(
       "study", "Many designs of one vehicle, compared.", R"(<study name="secondary-damping" format="1"> ... </study>)",

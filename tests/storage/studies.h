@@ -15,7 +15,8 @@ inline StudyRecord smallStudy(std::uint64_t designs = 1000) {
   record.program = "vehicle 0.1.0";
   record.inputs = {{"study.xml", "<study>\n  <plan size=\"1000\"/>\n</study>\n"}, {"coach.xml", "<vehicle/>\n"}};
   record.parameters = {{"carbody.mass", "kg"}, {"primary.stiffness_z", "N/m"}};
-  record.metrics = {{"carbody.az.rms @ 80 km/h", "m/s^2"}, {"carbody.az.rms @ 120 km/h", "m/s^2"}, {"static, load", "N"}};
+  record.metrics = {
+      {"carbody.az.rms @ 80 km/h", "m/s^2"}, {"carbody.az.rms @ 120 km/h", "m/s^2"}, {"static, load", "N"}};
   record.designs = designs;
   return record;
 }

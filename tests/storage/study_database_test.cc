@@ -137,17 +137,19 @@ TEST(StudyDatabase, OnlyTheSameStudyGoesOnAndEveryChangedLineIsTold) {
   StudyRecord changed = record;
   changed.inputs[0].text = "<study>\n  <plan size=\"2000\"/>\n  <more/>\n</study>\n";
   changed.inputs[1].text = "";
-  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, changed)); }),
-            "study.xml:2: error: changed since study.sqlite was begun: the line was \"  <plan size=\"1000\"/>\" and is now "
-            "\"  <plan size=\"2000\"/>\"\n"
-            "study.xml:3: error: changed since study.sqlite was begun: the line \"  <more/>\" is new\n"
-            "coach.xml:1: error: changed since study.sqlite was begun: the line \"<vehicle/>\" is gone\n"
-            "study.sqlite: error: holds designs of the study as it was; bring the files back, or write to a new file\n");
+  EXPECT_EQ(
+      refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, changed)); }),
+      "study.xml:2: error: changed since study.sqlite was begun: the line was \"  <plan size=\"1000\"/>\" and is now "
+      "\"  <plan size=\"2000\"/>\"\n"
+      "study.xml:3: error: changed since study.sqlite was begun: the line \"  <more/>\" is new\n"
+      "coach.xml:1: error: changed since study.sqlite was begun: the line \"<vehicle/>\" is gone\n"
+      "study.sqlite: error: holds designs of the study as it was; bring the files back, or write to a new file\n");
   StudyRecord newer = record;
   newer.program = "vehicle 0.2.0";
-  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, newer)); }),
-            "study.sqlite: was begun by vehicle 0.1.0, this is vehicle 0.2.0: their numbers may differ in the last digits; "
-            "go on with that program, or write to a new file");
+  EXPECT_EQ(
+      refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, newer)); }),
+      "study.sqlite: was begun by vehicle 0.1.0, this is vehicle 0.2.0: their numbers may differ in the last digits; "
+      "go on with that program, or write to a new file");
   // The names of files may be given from another folder: they are the same files.
   StudyRecord moved = record;
   moved.inputs[1].name = "../coach.xml";
@@ -160,19 +162,23 @@ TEST(StudyDatabase, AFileThatIsNoStudyIsRefusedAndLeftAlone) {
   const std::string path = folder.file("text.sqlite", std::string(2000, 'x'));
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(path, record)); }),
             "text.sqlite: exists already; go on with it, remove it, or name another file");
-  for (const auto& open : std::vector<std::function<void()>>{[&] { static_cast<void>(StudyDatabase::resume(path, record)); },
-                                                             [&] { static_cast<void>(StudyDatabase::read(path)); }}) {
+  for (const auto& open :
+       std::vector<std::function<void()>>{[&] { static_cast<void>(StudyDatabase::resume(path, record)); },
+                                          [&] { static_cast<void>(StudyDatabase::read(path)); }}) {
     EXPECT_EQ(refusalOf(folder, open), "text.sqlite: holds no study: it is no SQLite file");
   }
   EXPECT_EQ(textOf(path), std::string(2000, 'x'));
   folder.file("empty.sqlite", "");
-  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("empty.sqlite"))); }), "empty.sqlite: holds no study");
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("empty.sqlite"))); }),
+            "empty.sqlite: holds no study");
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("none.sqlite"))); }),
             "none.sqlite: cannot be opened: there is no such file");
-  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.root())); }).substr(folder.root().string().size()),
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.root())); })
+                .substr(folder.root().string().size()),
             ": cannot be opened: it is a folder");
-  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("no/where.sqlite"), record)); }),
-            "no/where.sqlite: cannot be written: No such file or directory; its folder must exist and be writable");
+  EXPECT_EQ(
+      refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("no/where.sqlite"), record)); }),
+      "no/where.sqlite: cannot be written: No such file or directory; its folder must exist and be writable");
 }
 
 TEST(StudyDatabase, OneProcessWritesWhileOthersRead) {
@@ -199,9 +205,10 @@ TEST(StudyDatabase, AStudyOfTooManyColumnsIsRefusedAndTheMostThatFitAreStored) {
   StudyRecord record = smallStudy(2);
   record.metrics.clear();
   for (int i = 0; i < 1996; ++i) record.metrics.push_back({std::string("m").append(std::to_string(i)), "m"});
-  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("wide.sqlite"), record)); }),
-            "study.xml: error: the study makes 1998 columns (2 parameters, 1996 metrics over all speeds and scenarios), at "
-            "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
+  EXPECT_EQ(
+      refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("wide.sqlite"), record)); }),
+      "study.xml: error: the study makes 1998 columns (2 parameters, 1996 metrics over all speeds and scenarios), at "
+      "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
   EXPECT_EQ(folder.entries(), 0u);
   record.metrics.pop_back();
   StudyDatabase database = StudyDatabase::create(folder.path("wide.sqlite"), record);
@@ -261,7 +268,8 @@ std::string asOrdinaryUser(const std::function<std::string()>& work) {
   ::close(ends[1]);
   std::string said;
   char block[512];
-  for (ssize_t got = 0; (got = ::read(ends[0], block, sizeof block)) > 0;) said.append(block, static_cast<std::size_t>(got));
+  for (ssize_t got = 0; (got = ::read(ends[0], block, sizeof block)) > 0;)
+    said.append(block, static_cast<std::size_t>(got));
   ::close(ends[0]);
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -276,10 +284,12 @@ TEST(StudyDatabase, AFolderThatMayNotBeWrittenIsReadButNotWritten) {
   ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
   ASSERT_EQ(::chmod(folder.root().c_str(), 0555), 0);
   EXPECT_EQ(asOrdinaryUser([&] { return std::to_string(StudyDatabase::read(path).stored()); }), "10");
-  EXPECT_EQ(asOrdinaryUser([&] { return refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, record)); }); }),
+  EXPECT_EQ(asOrdinaryUser(
+                [&] { return refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, record)); }); }),
             "study?1%.sqlite: cannot be written: Permission denied; its folder must exist and be writable");
   EXPECT_EQ(asOrdinaryUser([&] {
-              return refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("new.sqlite"), record)); });
+              return refusalOf(folder,
+                               [&] { static_cast<void>(StudyDatabase::create(folder.path("new.sqlite"), record)); });
             }),
             "new.sqlite: cannot be written: Permission denied; its folder must exist and be writable");
   ASSERT_EQ(::chmod(folder.root().c_str(), 0755), 0);

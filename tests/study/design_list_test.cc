@@ -15,7 +15,7 @@ using test::valuesOf;
 Outcome<DesignPlan> planFrom(const std::string& text, const Study& study) {
   const auto addresses = listedAddresses(text, "list.csv");
   if (!addresses.value) return {std::nullopt, addresses.problems};
-  Outcome<BoundStudy> bound = bind(study, test::paperVehicle(), {test::waves()}, *addresses.value);
+  Outcome<BoundStudy> bound = bindStudy(study, test::paperVehicle(), {test::waves()}, *addresses.value);
   if (!bound.value) return {std::nullopt, bound.problems};
   Outcome<DesignList> list = readDesignList(text, "list.csv", *bound.value);
   if (!list.value) return {std::nullopt, list.problems};
@@ -28,7 +28,9 @@ TEST(DesignList, RowsBecomeDesignsInTheUnitsOfTheHeader) {
   study.designs = {{"light", "", {{"front_bogie.mass", "7 t", {}}}, {}}};
   EXPECT_EQ(check(study).text(), "");
   const DesignPlan plan =
-      planFrom("\xEF\xBB\xBFsecondary.stiffness_z [kN/m],\"scenario.wave.amplitude [mm]\"\r\n600,9\r\n8.6e2, 7.1\n\n", study).orThrow();
+      planFrom("\xEF\xBB\xBFsecondary.stiffness_z [kN/m],\"scenario.wave.amplitude [mm]\"\r\n600,9\r\n8.6e2, 7.1\n\n",
+               study)
+          .orThrow();
   ASSERT_EQ(plan.size(), 2u + 2u * 2u);
   // 9 mm is the double nearest to 0.009, as everywhere.
   EXPECT_EQ(valuesOf(plan, 0), (std::vector<double>{2660e3, 0.005, 9e3}));
@@ -44,19 +46,22 @@ TEST(DesignList, EveryWrongLineIsTold) {
   EXPECT_EQ(problems("carbody.mass\n1\n"),
             "list.csv:1: error: column \"carbody.mass\" has no parameter with a unit in brackets; a header reads e.g. "
             "\"secondary.stiffness_z [kN/m],carbody.mass [t]\"\n");
-  EXPECT_EQ(problems("carbody.mass [t],carbody.mass [t]\n1,1\n"), "list.csv:1: error: column \"carbody.mass\" stands there twice\n");
+  EXPECT_EQ(problems("carbody.mass [t],carbody.mass [t]\n1,1\n"),
+            "list.csv:1: error: column \"carbody.mass\" stands there twice\n");
   EXPECT_EQ(problems("carbody.mas [t]\n1\n"),
             "error: <study><plan>: parameter \"carbody.mas\" is unknown; did you mean \"carbody.mass\"?\n");
-  EXPECT_EQ(problems("carbody.mass [m]\n1\n"),
-            "list.csv:1: error: column \"carbody.mass\": the unit [m] is a length; a mass is expected, e.g. \"57 t\"\n");
+  EXPECT_EQ(
+      problems("carbody.mass [m]\n1\n"),
+      "list.csv:1: error: column \"carbody.mass\": the unit [m] is a length; a mass is expected, e.g. \"57 t\"\n");
   EXPECT_EQ(problems("carbody.mass [t]\n1\nheavy\n2,3\nnan\n"),
             "list.csv:3: error: column \"carbody.mass\": \"heavy\" is no number\n"
             "list.csv:4: error: the row has 2 fields, the header 1\n"
             "list.csv:5: error: column \"carbody.mass\": \"nan\" is no number\n");
   EXPECT_EQ(problems("carbody.mass [t]\n"), "list.csv: error: holds no design; write one a row under the header\n");
   study.designs = {{"light", "", {{"carbody.mass", "7 t", {}}}, {}}};
-  EXPECT_EQ(problems("carbody.mass [t]\n1\n"),
-            "error: <study><design>: sets carbody.mass, which the list of designs gives too; leave it out of one of them\n");
+  EXPECT_EQ(
+      problems("carbody.mass [t]\n1\n"),
+      "error: <study><design>: sets carbody.mass, which the list of designs gives too; leave it out of one of them\n");
 }
 
 }  // namespace

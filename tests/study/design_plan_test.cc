@@ -20,7 +20,8 @@ using test::valuesOf;
 using Values = std::vector<double>;
 
 TEST(DesignPlan, AGridCrossesItsRangesWithTheLastRunningFastestAndBaseInFront) {
-  const DesignPlan plan = planOf(studyOf({range("carbody.mass", "50 t", "60 t", 2), range("primary.stiffness_z", "2 MN/m", "4 MN/m", 3)}));
+  const DesignPlan plan =
+      planOf(studyOf({range("carbody.mass", "50 t", "60 t", 2), range("primary.stiffness_z", "2 MN/m", "4 MN/m", 3)}));
   ASSERT_EQ(plan.size(), 7u);
   EXPECT_EQ(plan.points(), 6u);
   EXPECT_EQ(valuesOf(plan, 0), (Values{57e3, 3040e3}));
@@ -94,7 +95,8 @@ TEST(DesignPlan, SamplingPlansPutTheSequenceOnTheRanges) {
   study.plan->kind = PlanKind::kLatinHypercube;
   const DesignPlan hypercube = planOf(study);
   std::set<int> strata;
-  for (std::uint64_t i = 1; i < 65; ++i) strata.insert(static_cast<int>((valuesOf(hypercube, i)[0] - 50e3) / 10e3 * 64.0));
+  for (std::uint64_t i = 1; i < 65; ++i)
+    strata.insert(static_cast<int>((valuesOf(hypercube, i)[0] - 50e3) / 10e3 * 64.0));
   EXPECT_EQ(strata.size(), 64u);
 }
 
@@ -109,9 +111,10 @@ TEST(DesignPlan, ASampledListTakesEachOfItsValuesEquallyOften) {
 }
 
 TEST(DesignPlan, ASaltelliBlockIsAThenBThenAWithOneCoordinateOfB) {
-  const DesignPlan plan = planOf(studyOf({range("carbody.mass", "50 t", "60 t"), range("primary.damping_z", "10 kN*s/m", "90 kN*s/m"),
-                                          range("speed", "10 m/s", "50 m/s")},
-                                         PlanKind::kSaltelli, 8));
+  const DesignPlan plan =
+      planOf(studyOf({range("carbody.mass", "50 t", "60 t"), range("primary.damping_z", "10 kN*s/m", "90 kN*s/m"),
+                      range("speed", "10 m/s", "50 m/s")},
+                     PlanKind::kSaltelli, 8));
   ASSERT_EQ(plan.points(), 8u * 5u);
   for (std::uint64_t block = 0; block < 8; ++block) {
     const std::uint64_t first = 1 + block * 5;
@@ -127,13 +130,16 @@ TEST(DesignPlan, ASaltelliBlockIsAThenBThenAWithOneCoordinateOfB) {
 }
 
 TEST(DesignPlan, TooManyDesignsAreRefusedWithoutCountingThem) {
-  Study study = studyOf({range("carbody.mass", "50 t", "60 t", 100'000), range("primary.damping_z", "1 kN*s/m", "2 kN*s/m", 100'000),
+  Study study = studyOf({range("carbody.mass", "50 t", "60 t", 100'000),
+                         range("primary.damping_z", "1 kN*s/m", "2 kN*s/m", 100'000),
                          range("secondary.damping_z", "1 kN*s/m", "2 kN*s/m", 100'000)});
   study.plan->origin.file = "study.xml";
   study.plan->origin.line = 9;
-  const Outcome<DesignPlan> plan = DesignPlan::of(study, bind(study, test::paperVehicle(), {test::waves()}).orThrow());
-  EXPECT_EQ(plan.problems.text(), "study.xml:9: error: <study><plan>: makes more than 1000000000 designs; take fewer steps, or "
-                                  "let latin_hypercube or sobol choose among them\n");
+  const Outcome<DesignPlan> plan =
+      DesignPlan::of(study, bindStudy(study, test::paperVehicle(), {test::waves()}).orThrow());
+  EXPECT_EQ(plan.problems.text(),
+            "study.xml:9: error: <study><plan>: makes more than 1000000000 designs; take fewer steps, or "
+            "let latin_hypercube or sobol choose among them\n");
 }
 
 TEST(DesignPlan, ASearchAsksForPlacesInTheUnitCube) {

@@ -42,7 +42,7 @@ inline Study studyOf(std::vector<Vary> varies, const std::vector<std::string>& m
 
 inline StudyInputs inputsOf(Study study, Vehicle vehicle, std::vector<Scenario> scenarios) {
   StudyInputs made;
-  made.bound = vehicle::bind(study, vehicle, scenarios).orThrow();
+  made.bound = vehicle::bindStudy(study, vehicle, scenarios).orThrow();
   made.study = std::move(study);
   made.vehicle = std::move(vehicle);
   made.scenarios = std::move(scenarios);

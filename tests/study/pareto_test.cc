@@ -32,7 +32,8 @@ std::vector<std::size_t> ranksByPeeling(std::span<const double> values, std::siz
     for (std::size_t i = 0; i < designs; ++i) {
       bool dominated = ranks[i] != kNone;
       for (std::size_t j = 0; j < designs && !dominated; ++j) {
-        dominated = ranks[j] == kNone && dominates(values.subspan(j * objectives, objectives), values.subspan(i * objectives, objectives));
+        dominated = ranks[j] == kNone &&
+                    dominates(values.subspan(j * objectives, objectives), values.subspan(i * objectives, objectives));
       }
       if (!dominated) front.push_back(i);
     }
@@ -117,7 +118,8 @@ TEST(ParetoFront, OfZdt1IsItsKnownCurveWithItsKnownArea) {
 TEST(Hypervolume, OfAStaircaseIsTheSumOfItsSteps) {
   const std::vector<double> staircase = {1, 3, 2, 2, 3, 1};
   EXPECT_EQ(hypervolume(staircase, {4.0, 4.0}), 3.0 + 2.0 + 1.0);
-  const std::vector<double> with_more = {3, 1, 2.5, 2.5, 1, 3, 2, 2, 5, 0, 0, 5};  // dominated, and beyond the reference
+  const std::vector<double> with_more = {3, 1, 2.5, 2.5, 1, 3,
+                                         2, 2, 5,   0,   0, 5};  // dominated, and beyond the reference
   EXPECT_EQ(hypervolume(with_more, {4.0, 4.0}), 6.0);
   EXPECT_EQ(hypervolume({}, {1.0, 1.0}), 0.0);
 }

@@ -10,8 +10,8 @@
 namespace vehicle {
 namespace {
 
-// x_i = sin and cos over whole periods are uncorrelated, each of variance 1/2; the large means would eat the digits of sums of
-// squares (1e9^2 against 1/2: nothing would be left).
+// x_i = sin and cos over whole periods are uncorrelated, each of variance 1/2; the large means would eat the digits of
+// sums of squares (1e9^2 against 1/2: nothing would be left).
 TEST(Regression, OfStraightLinesHasTheirCoefficientsFarFromZeroToo) {
   Regression regression(2);
   constexpr int kDesigns = 360;

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include <boost/random/sobol.hpp>
 #include <gtest/gtest.h>
+#include <boost/random/sobol.hpp>
 
 #include "libvehicle/study/counted_random.h"
 #include "libvehicle/study/keyed_permutation.h"
@@ -32,8 +32,8 @@ TEST(KeyedPermutation, ReachesEveryNumberOnceForEverySize) {
   EXPECT_THROW(static_cast<void>(KeyedPermutation(5, 1).at(5)), std::invalid_argument);
 }
 
-// Each of the 16 x 16 (from, to) cells expects 1/16 of 4000 keys, 250 +- 15.3; the largest of 256 deviations stays within
-// 5 of those (probability 1.5e-4 that one is outside), and the keys are fixed.
+// Each of the 16 x 16 (from, to) cells expects 1/16 of 4000 keys, 250 +- 15.3; the largest of 256 deviations stays
+// within 5 of those (probability 1.5e-4 that one is outside), and the keys are fixed.
 TEST(KeyedPermutation, AllPlacesAreEquallyLikelyOverTheKeys) {
   constexpr std::uint64_t kSize = 16;
   std::vector<int> met(kSize * kSize, 0);

@@ -59,7 +59,8 @@ TEST(Sensitivity, OfTheIshigamiFunctionIsThatOfItsClosedForm) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_WITHIN(result.indices[i].first.value, first[i], 0.005);
     EXPECT_WITHIN(result.indices[i].total.value, total[i], 0.005);
-    for (const auto& [estimate, truth] : {std::pair(result.indices[i].first, first[i]), std::pair(result.indices[i].total, total[i])}) {
+    for (const auto& [estimate, truth] :
+         {std::pair(result.indices[i].first, first[i]), std::pair(result.indices[i].total, total[i])}) {
       EXPECT_LE(estimate.low, truth);
       EXPECT_GE(estimate.high, truth);
       EXPECT_LT(estimate.high - estimate.low, 0.12);
@@ -69,8 +70,8 @@ TEST(Sensitivity, OfTheIshigamiFunctionIsThatOfItsClosedForm) {
 
 // y = 1 x1 + 2 x2 + 3 x3 shares its variance as 1 : 4 : 9, and nothing acts in company.
 TEST(Sensitivity, OfASumIsTheShareOfItsTermsFirstAndTotalAlike) {
-  const SensitivityResult result = sensitivityOf(
-      evaluated(3, 1024, 2, [](std::span<const double> x) { return x[0] + 2.0 * x[1] + 3.0 * x[2]; }), 3);
+  const SensitivityResult result =
+      sensitivityOf(evaluated(3, 1024, 2, [](std::span<const double> x) { return x[0] + 2.0 * x[1] + 3.0 * x[2]; }), 3);
   for (std::size_t i = 0; i < 3; ++i) {
     const double share = static_cast<double>((i + 1) * (i + 1)) / 14.0;
     // A smooth function of 1024 Sobol points: the sampling error is below 1e-3.
@@ -79,8 +80,8 @@ TEST(Sensitivity, OfASumIsTheShareOfItsTermsFirstAndTotalAlike) {
   }
 }
 
-// Random points, 200 trials of 500 blocks: an interval of 95 % holds the truth in 190 of them, give or take 3.1; a bootstrap
-// of 500 draws is a little narrow. 176 is 4.5 of those below.
+// Random points, 200 trials of 500 blocks: an interval of 95 % holds the truth in 190 of them, give or take 3.1; a
+// bootstrap of 500 draws is a little narrow. 176 is 4.5 of those below.
 TEST(Sensitivity, TheIntervalsHoldTheTruthAsOftenAsTheySay) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

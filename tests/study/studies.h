@@ -52,7 +52,7 @@ inline Study studyOf(std::vector<Vary> varies, PlanKind kind = PlanKind::kGrid, 
 inline DesignPlan planOf(const Study& study) {
   ProblemList problems = check(study);
   if (!problems.empty()) throw InvalidInput(problems);
-  return DesignPlan::of(study, bind(study, paperVehicle(), {waves()}).orThrow()).orThrow();
+  return DesignPlan::of(study, bindStudy(study, paperVehicle(), {waves()}).orThrow()).orThrow();
 }
 
 inline std::vector<double> valuesOf(const DesignPlan& plan, std::uint64_t design) {

@@ -11,13 +11,14 @@ using Values = std::vector<double>;
 
 /// Two speeds; columns: az @ 60, az @ 120, deflection @ 60, deflection @ 120, load.
 BoundStudy twoSpeeds() {
-  Study study = test::studyOf({test::range("carbody.mass", "50 t", "60 t", 2), test::range("speed", "60 km/h", "120 km/h", 2)});
+  Study study =
+      test::studyOf({test::range("carbody.mass", "50 t", "60 t", 2), test::range("speed", "60 km/h", "120 km/h", 2)});
   study.metrics = {{"carbody.az.rms", {}}, {"secondary_front.deflection.min", {}}, {"static.wheelset_1.load", {}}};
   study.objectives = {{"carbody.az.rms", Goal::kMinimise, Over::kWorst, {}},
                       {"secondary_front.deflection.min", Goal::kMaximise, Over::kWorst, {}},
                       {"static.wheelset_1.load", Goal::kMinimise, Over::kMean, {}}};
   study.limits = {{"carbody.az.rms", "0.5 m/s^2", "0.1 m/s^2", {}}, {"static.wheelset_1.load", "100 kN", "", {}}};
-  return bind(study, test::paperVehicle(), {test::waves()}).orThrow();
+  return bindStudy(study, test::paperVehicle(), {test::waves()}).orThrow();
 }
 
 TEST(Verdict, TheWorstSpeedCountsInTheSenseOfTheGoal) {

@@ -30,7 +30,8 @@ TEST(StudyReader, EveryWrongLineIsTold) {
       {4, R"(<vary parameter="primary.stiffness_z" from="1 N/m" to="2 N/m" count="1"/>)",
        R"(a.xml:4: error: <study><vary>: count="1"; must be from 2 to 1000000
 )"},
-      {5, R"(<plan kind="sobol"/>)", "a.xml:5: error: <study><plan>: has no size; say how many designs, e.g. size=\"1000\"\n"},
+      {5, R"(<plan kind="sobol"/>)",
+       "a.xml:5: error: <study><plan>: has no size; say how many designs, e.g. size=\"1000\"\n"},
       {5, R"(<plan kind="sobel" size="8"/>)",
        R"(a.xml:5: error: <study><plan>: kind="sobel" is none of "grid", "latin_hypercube", "sobol", "saltelli", "list"; did you mean "sobol"?
 )"},

@@ -44,7 +44,7 @@ Judged judge(const std::string& file) {
   Judged judged{file, checkFile(file), {}, {}};
   if (!judged.problems.empty()) return judged;
   const FileKind kind = kindOf(file).value.value_or(FileKind::kSuite);
-  if (kind == FileKind::kVehicle) judged.vehicle = readVehicle(file).value;
+  if (kind == FileKind::kVehicle || kind == FileKind::kTrain) judged.vehicle = readVehicle(file).value;
   if (kind == FileKind::kScenario) judged.scenario = readScenario(file).value;
   if (judged.vehicle) judged.problems = checkPair(*judged.vehicle, std::nullopt);
   return judged;
@@ -87,9 +87,10 @@ Action addCheck(CLI::App& program) {
     CommonOptions common;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("check", "judge vehicle, scenario and suite files; print all problems");
+  CLI::App* command = program.add_subcommand("check", "judge files of any kind; print all problems");
   command
-      ->add_option("files", options->files, "files of any kind; each scenario is also held against each vehicle given")
+      ->add_option("files", options->files,
+                   "files of any kind; each scenario is also held against each vehicle and train given")
       ->type_name("FILE")
       ->required()
       ->expected(1, 1 << 20);

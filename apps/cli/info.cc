@@ -33,6 +33,7 @@ int printInfo(const Options& options) {
   document.facts = {{"vehicle", vehicle.name, ""}};
   if (!vehicle.title.empty()) document.facts.push_back({"title", vehicle.title, ""});
   if (!vehicle.source.empty()) document.facts.push_back({"source", vehicle.source, ""});
+  if (!vehicle.units.empty()) document.facts.push_back({"vehicles", static_cast<long>(vehicle.units.size()), ""});
   document.facts.insert(document.facts.end(), {{"degrees of freedom", static_cast<long>(topology.coordinates), ""},
                                                {"total mass", (bodies + wheelsets) / 1e3, "t"},
                                                {"unsprung mass", wheelsets / 1e3, "t"},
@@ -44,6 +45,9 @@ int printInfo(const Options& options) {
                      formTable(vehicle),
                      misfitTable(vehicle),
                      unusedTable(vehicle)};
+  if (!vehicle.units.empty()) {
+    document.tables.insert(document.tables.begin(), unitTable(vehicle, topology, rest));
+  }
   print(document, options.common.format, std::cout);
   return kDone;
 }
@@ -53,7 +57,7 @@ int printInfo(const Options& options) {
 Action addInfo(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
-      program.add_subcommand("info", "describe a vehicle: bodies, static loads, which forms fit and why not");
+      program.add_subcommand("info", "describe a vehicle or train: bodies, static loads, which forms fit and why not");
   addVehicleFile(*command, options->files);
   addGravity(*command, options->gravity);
   addCommonOptions(*command, options->common);

@@ -8,7 +8,7 @@
 namespace vehicle::cli {
 
 void addVehicleFile(CLI::App& command, ModelFiles& files) {
-  command.add_option("vehicle", files.vehicle, "vehicle file, e.g. models/vehicles/al-oraiqat-2017.xml")
+  command.add_option("vehicle", files.vehicle, "vehicle or train file, e.g. models/vehicles/al-oraiqat-2017.xml")
       ->type_name("VEHICLE")
       ->required();
 }

@@ -45,7 +45,12 @@ RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice&
   record.attributes.emplace_back("evaluations", fmt::format("{}", result.statistics.evaluations));
   record.attributes.emplace_back("rejected steps", fmt::format("{}", result.statistics.rejected));
   record.attributes.emplace_back("ended early", result.statistics.stopped ? "yes" : "no");
-  for (const std::string& file : {files.vehicle, files.scenario}) {
+  std::vector<std::string> inputs = {files.vehicle, files.scenario};
+  // A train's parts come from other files.
+  for (const Body& body : model.vehicle.bodies) {
+    if (std::find(inputs.begin(), inputs.end(), body.origin.file) == inputs.end()) inputs.push_back(body.origin.file);
+  }
+  for (const std::string& file : inputs) {
     record.inputs.push_back({file, readFile(file).orThrow()});
   }
   return record;

@@ -13,7 +13,7 @@ Action addSchema(CLI::App& program) {
     bool as_markdown = false;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("schema", "print what may stand in vehicle, scenario and suite files");
+  CLI::App* command = program.add_subcommand("schema", "print what may stand in each kind of file");
   CLI::Option* xsd_flag =
       command->add_flag("--xsd", options->as_xsd, "as XML schema, for editors and xmllint   (default)");
   command->add_flag("--markdown", options->as_markdown, "as the page of the documentation")->excludes(xsd_flag);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,29 @@ void addReserved(Table& table, const std::vector<Part>& parts) {
 }
 
 }  // namespace
+
+Table unitTable(const Vehicle& train, const Topology& topology, const Rest& rest) {
+  struct Sum {
+    double mass = 0.0;  // [kg]
+    double load = 0.0;  // [N]
+  };
+  std::map<std::string_view, Sum> sums;
+  const auto sumOf = [&sums](const std::string& part) -> Sum& {
+    return sums[std::string_view(part).substr(0, part.find('.'))];
+  };
+  for (const TopologyBody& body : topology.bodies) sumOf(body.name).mass += body.mass;
+  for (std::size_t j = 0; j < topology.wheelsets.size(); ++j) {
+    Sum& sum = sumOf(topology.wheelsets[j].name);
+    sum.mass += topology.wheelsets[j].mass;
+    sum.load += rest.wheel_load[j];
+  }
+  Table table{"vehicles", {{"vehicle", ""}, {"x", "m"}, {"mass", "t"}, {"static load", "kN"}, {"title", ""}}, {}};
+  for (const TrainUnit& unit : train.units) {
+    const Sum& sum = sums[unit.name];
+    table.rows.push_back({unit.name, unit.x, sum.mass / 1e3, sum.load / 1e3, unit.title});
+  }
+  return table;
+}
 
 Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& rest) {
   Table table{"bodies",

@@ -8,6 +8,8 @@ namespace vehicle::cli {
 
 // What `vehicle info` tells of a vehicle, one table a subject.
 
+/// The vehicles of a train: title, place, mass, static load on the rail.
+[[nodiscard]] Table unitTable(const Vehicle& train, const Topology& topology, const Rest& rest);
 /// Mass, inertia, place, motions, how far the body has come down at rest.
 [[nodiscard]] Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& rest);
 /// Place, mass, static load, how it meets the rail.

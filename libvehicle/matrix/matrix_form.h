@@ -21,8 +21,8 @@ struct SecondOrder {
 /// The linear form of any topology: bodies, wheelsets that follow the rail or stand on a linear contact
 /// spring, linear suspensions. Each spring-damper with row vector r adds c r^T r to K and b r^T r to C; under a
 /// wheel on the rail c r^T goes to B0 and b r^T to B1. A Hertz contact is taken at its static load. Static loads at
-/// heights add to the diagonal of K, which may then lose its definiteness. Only what is not zero is kept and computed, so
-/// that a train of a hundred vehicles costs a hundred times one. Immutable: one object serves any number of threads.
+/// heights add to the diagonal of K, which may then lose its definiteness. Only what is not zero is kept and computed,
+/// so that a train of a hundred vehicles costs a hundred times one. Immutable: one object serves any number of threads.
 class MatrixForm : public System {
  public:
   /// @throws std::invalid_argument beyond kMostDenseStates

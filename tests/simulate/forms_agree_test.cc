@@ -64,7 +64,8 @@ TEST(MbsLinear, HasTheMatrixFormsRightHandSideForEveryTopology) {
 }
 
 TEST(MbsLinear, HasTheFlatFormsRightHandSideForTrains) {
-  for (const Train& train : {mixedTrain(), equalTrain(paperVehicle(), 4, 16.0), equalTrain(heightsVehicle(), 2, 16.0)}) {
+  for (const Train& train :
+       {mixedTrain(), equalTrain(paperVehicle(), 4, 16.0), equalTrain(heightsVehicle(), 2, 16.0)}) {
     const Vehicle vehicle = assembled(train);
     EXPECT_WITHIN(rateDifference(*buildFlatTrain(vehicle, 9.81), *buildMbsForm(vehicle, 9.81, MbsLaw::kLinear)), 0.0,
                   kSameEquations) << train.name;

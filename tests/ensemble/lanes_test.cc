@@ -124,6 +124,26 @@ TEST_P(Lanes, TakeOtherStepsAndRefinements) {
   expectScalarRuns(designs, {&rail, &rail, &rail}, run, false);
 }
 
+// A measured rail: a cubic a sample of 7 ms, so that nearly every interval has a kink of its own place.
+TEST_P(Lanes, FollowAStoredRail) {
+  std::vector<Input> inputs;
+  for (int i = 0; i < 5; ++i) {
+    std::vector<double> height, rate;
+    for (int n = 0; n <= 60; ++n) {
+      for (int j = 0; j < 4; ++j) {
+        const double angle = (20.0 + i) * (7e-3 * n - 0.05 * j);
+        height.push_back(3e-3 * std::sin(angle));
+        rate.push_back(3e-3 * (20.0 + i) * std::cos(angle));
+      }
+    }
+    inputs.push_back(storedInput(4, 0.0, 7e-3, height, rate));
+  }
+  std::vector<const Input*> rails;
+  for (const Input& input : inputs) rails.push_back(&input);
+  expectScalarRuns(asymmetricDesigns(5), rails, everything(GetParam()), false);
+  expectScalarRuns(asymmetricDesigns(5), std::vector<const Input*>(5, rails[0]), everything(GetParam()), true);
+}
+
 // ---- company
 
 bool sameBits(const ColumnSummary& a, const ColumnSummary& b) { return std::memcmp(&a, &b, sizeof a) == 0; }

@@ -191,8 +191,10 @@ void runs(std::vector<std::string>& claims) {
     });
     const auto shareOf = [&](double took, const char* what) {
       const double slots = took * lanesOf(isa) / peak;  // instructions that could be issued in a step
+      const double multiplies = 100.0 * kMultiplies / slots;
+      const double arithmetic = 100.0 * (kMultiplies + kAdditions) / slots;
       claims.push_back(fmt::format("{}, {}: multiplies fill {:.0f} % of the FMA issue peak, all arithmetic {:.0f} %",
-                                   name, what, 100.0 * kMultiplies / slots, 100.0 * (kMultiplies + kAdditions) / slots));
+                                   name, what, multiplies, arithmetic));
     };
     if (peak > 0.0) {
       shareOf(alone, "steps alone");

@@ -26,8 +26,7 @@ struct Options {
   ModelFiles files;
   RunChoice choice;
   int every = 16;
-  std::string trace;     // file, or empty
-  std::string timeline;  // file, or empty
+  std::string trace, timeline;   // files, or empty
   std::optional<double> period;  // [s] of --realtime
   CommonOptions common;
 };
@@ -79,8 +78,7 @@ Action addProfile(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   options->choice.threads = 4;
   options->choice.method = "rk4";
-  CLI::App* command =
-      program.add_subcommand("profile", "show how the threads that share a run compute, wait, move and are preempted");
+  CLI::App* command = program.add_subcommand("profile", "show how threads that share a run compute, wait and move");
   addVehicleFile(*command, options->files);
   addScenarioFile(*command, options->files);
   addSharing(*command, options->choice, "4");

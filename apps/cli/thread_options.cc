@@ -44,6 +44,9 @@ void addChoice(CLI::App& command, const char* option, Value& value, const std::m
       ->check(oneOf(names));
 }
 
+/// Nothing where it was not found out.
+Cell nanoseconds(double seconds) { return seconds > 0.0 ? Cell(1e9 * seconds) : Cell(); }
+
 }  // namespace
 
 void addSharing(CLI::App& command, RunChoice& choice, const std::string& default_threads) {
@@ -57,7 +60,7 @@ void addSharing(CLI::App& command, RunChoice& choice, const std::string& default
           "how they share it: serial | stages | halo | pipeline (rk4), rows (exact),\n"
           "split (rk4_split, exact_split)   (default: serial on 1 thread, else the\nfastest known for the method)");
   addName(command, "--map", choice.map, equationMapNames(),
-          "stages, halo: who computes which equation, paper | body | auto\n(default: auto)");
+          "stages, halo, rows: who computes which equation, paper | body | auto\n(default: auto)");
 }
 
 void addTeam(CLI::App& command, TeamChoice& team) {
@@ -88,8 +91,8 @@ Table decisionTable(const Decision& decision) {
               {}};
   if (decision.reason.empty()) return table;
   for (const Candidate& each : decision.candidates) {
-    table.rows.push_back({std::string(nameOf(each.scheme)), static_cast<long>(each.threads), 1e9 * each.predicted,
-                          each.measured > 0.0 ? Cell(1e9 * each.measured) : Cell(),
+    table.rows.push_back({std::string(nameOf(each.scheme)), static_cast<long>(each.threads), nanoseconds(each.predicted),
+                          nanoseconds(each.measured),
                           each.scheme == decision.scheme && each.threads == decision.threads});
   }
   return table;

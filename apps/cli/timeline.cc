@@ -102,7 +102,7 @@ std::string laneBox(const Span& span, const Step& step, double y, double scale) 
 std::string panel(const Trace& trace, const Step& step, double top, const char* name) {
   const double scale = (kWidth - kLeft - kRight) / step.duration();
   std::string text = textAt(kLeft, top + 18.0, "font-weight=\"bold\"",
-                            fmt::format("{}: step {}, {:.3g} us", name, step.number, 1e6 * step.duration()));
+                            fmt::format("{}: step {}, {:.5g} us", name, step.number, 1e6 * step.duration()));
   const auto laneTop = [&](int thread) { return top + kPanelHead + thread * (kLane + kGap); };
   for (int i = 0; i < trace.threads; ++i) {
     text += textAt(kLeft - 10.0, laneTop(i) + 16.0, "text-anchor=\"end\"", fmt::format("thread {}", i + 1));

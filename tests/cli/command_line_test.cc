@@ -8,7 +8,7 @@
 namespace vehicle::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"check", "info", "simulate", "modes", "validate", "schema"};
+const std::vector<std::string> kCommands = {"check", "info", "simulate", "modes", "validate", "profile", "schema"};
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

@@ -1,7 +1,7 @@
 # Completion of `vehicle` for bash. Installed under share/bash-completion/completions, or: source vehicle.bash
 _vehicle() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="check info simulate modes validate profile schema"
+  local commands="check info simulate modes validate profile study schema"
   local common="--help --format --quiet"
   local settings="--speed --step --rtol --atol --accuracy"
   local forms="flat matrix mbs-linear mbs flat-7-printed flat-literal flat-literal-mb"
@@ -25,8 +25,8 @@ _vehicle() {
     --waiting) words="auto spin yield sleep" ;;
     --pinning) words="cores free" ;;
     --priority) words="normal raised fifo" ;;
-    --speed | --step | --rtol | --atol | --accuracy | --gravity | --every | --realtime) return ;;
-    --output | --trace | --timeline) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
+    --speed | --step | --rtol | --atol | --accuracy | --gravity | --every | --realtime | --jobs | --best) return ;;
+    --output | --trace | --timeline | --export | --write-best) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
   esac
   if [[ -z $words && $current == -* ]]; then
     case ${COMP_WORDS[1]} in
@@ -35,9 +35,8 @@ _vehicle() {
       simulate) words="$common --form --method $settings $sharing --output" ;;
       modes) words="$common --form --gravity" ;;
       validate) words="$common --form --method $settings --serial --details" ;;
-      profile)
-        words="$common --form --method --speed --step $sharing $team --every --trace --timeline --realtime"
-        ;;
+      profile) words="$common --form --method --speed --step $sharing $team --every --trace --timeline --realtime" ;;
+      study) words="$common --output --resume --jobs --best --write-best --export" ;;
       schema) words="--help --xsd --markdown" ;;
     esac
   fi

@@ -17,7 +17,7 @@ class Verdict {
   explicit Verdict(const BoundStudy& study);
 
   /// One value an objective, in its own sense: a maximised one is not negated.
-  /// @param metrics  shape (metricColumns)
+  /// @param metrics  shape (metricColumns), of a design that is done
   [[nodiscard]] std::vector<double> objectives(std::span<const double> metrics) const;
   /// The same with maximised ones negated, as pareto.h wants them.
   [[nodiscard]] std::vector<double> toMinimise(std::span<const double> metrics) const;

@@ -56,11 +56,12 @@ struct LaneRail {
   const double* force_polynomial = nullptr;  // (8 rows) front f0 to f3, rear
   const double* wheel_polynomial = nullptr;  // (16 rows) wheel 1 p0 to p3, ...
   const double* half_step = nullptr;         // (1 row) [s]; 0: this lane waits
-  double* time = nullptr;                    // (1 row) [s] since the begin of the lane's segment
+  double* time = nullptr;        // (4 rows) [s] since the segment's begin when the oscillators were seeded; half a step;
+                                 // half steps made since then; 1, or 0 in a lane that waits
   const double* last_sample = nullptr;       // (1 row) a lane's samples after that one count no more
 };
 
-/// Equal intervals of `steps` steps, each with an output sample at its end.
+/// Equal intervals of `steps` steps, each with an output sample at its end unless `sample` is false.
 struct LaneLeg {
   int steps = 0;      // of an interval; 0: a sample alone
   int intervals = 1;

@@ -86,11 +86,4 @@ std::vector<int> allowedCores() {
   return ordered;
 }
 
-int physicalCores() {
-  std::vector<int> cores;
-  for (const Unit& unit : allowedUnits()) cores.push_back(unit.core);
-  std::ranges::sort(cores);
-  return static_cast<int>(std::ranges::unique(cores).begin() - cores.begin());
-}
-
 }  // namespace vehicle

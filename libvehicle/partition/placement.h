@@ -11,7 +11,4 @@ namespace vehicle {
 /// hwloc knows nothing, the order is that of the mask.
 [[nodiscard]] std::vector<int> allowedCores();
 
-/// How many of them are cores of their own, the second hyper-threads not counted.
-[[nodiscard]] int physicalCores();
-
 }  // namespace vehicle

@@ -33,7 +33,9 @@ RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice&
                        {"method", result.method},
                        {"speed", fmt::format("{} m/s", result.speed)},
                        {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
-  if (result.method == "rk4" || result.method == "rk4_split") record.attributes.emplace_back("step", fmt::format("{} s", choice.step));
+  if (result.method == "rk4" || result.method == "rk4_split") {
+    record.attributes.emplace_back("step", fmt::format("{} s", choice.step));
+  }
   if (result.method == "dopri5") {
     record.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
     record.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));

@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 [[nodiscard]] Action addModes(CLI::App& program);
 [[nodiscard]] Action addValidate(CLI::App& program);
 [[nodiscard]] Action addProfile(CLI::App& program);
+[[nodiscard]] Action addStudy(CLI::App& program);
 [[nodiscard]] Action addSchema(CLI::App& program);
 
 }  // namespace vehicle::cli

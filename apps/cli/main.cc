@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer("Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml");
   std::vector<std::pair<const CLI::App*, Action>> actions;
-  for (Action (*add)(CLI::App&) : {addCheck, addInfo, addSimulate, addModes, addValidate, addProfile, addSchema}) {
+  for (Action (*add)(CLI::App&) : {addCheck, addInfo, addSimulate, addModes, addValidate, addProfile, addStudy, addSchema}) {
     Action action = add(program);
     CLI::App* command = program.get_subcommands(nullptr).back();
     command->set_help_flag("--help", "this page");

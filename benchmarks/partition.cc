@@ -9,13 +9,14 @@
 // state stands in the CSV.
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <functional>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>

@@ -1,8 +1,6 @@
 #include "libvehicle/partition/halo_exchange.h"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
 
 #include "libvehicle/partition/blocked_rk4.h"
 #include "libvehicle/partition/cut_order.h"

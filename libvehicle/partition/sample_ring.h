@@ -17,7 +17,7 @@
 // 4. A thread judges whether its own part is finite; member 0 throws the failure of the serial run, at the same pause.
 
 #include <atomic>
-#include <functional>
+#include <span>
 #include <vector>
 
 #include "libvehicle/integrate/run.h"

@@ -86,8 +86,13 @@ TEST(PartitionSolvers, EveryThreadCountGivesTheBitsOfTheSerialRunOnARing) {
 }
 
 // Runs longer than a cache block, whose window slides; and runs shorter than the halo, which then spans threads.
+TEST(PartitionSolvers, RunsLongerThanACacheBlockGiveTheBitsOfTheSerialRun) {
+  const Problem problem(massChain(3 * BlockedRk4::kBlock), 0.6);
+  for (const int threads : {1, 2}) expectSerialBits(problem, Scheme::kHalo, EquationMap::kAuto, threads);
+}
+
 TEST(PartitionSolvers, LongChainsGiveTheBitsOfTheSerialRunForOneToSixteenThreads) {
-  const Problem problem(massChain(203, 3));
+  const Problem problem(massChain(90, 3));
   for (const int threads : {1, 2, 3, 4, 7, 16}) {
     expectSerialBits(problem, Scheme::kHalo, EquationMap::kAuto, threads);
     expectSerialBits(problem, Scheme::kStages, EquationMap::kAuto, threads);
@@ -159,7 +164,7 @@ TEST(PartitionSolvers, AnExceptionOfTheObserverReachesTheCaller) {
 }
 
 TEST(PartitionSolvers, SerialIsTheCacheBlockedCodeOnOneThread) {
-  const Problem problem(massChain(203, 3));
+  const Problem problem(massChain(90, 3));
   expectSerialBits(problem, Scheme::kSerial, EquationMap::kAuto, 1);
   expectSameBits(record([&](const Observer& observe) {
                    return runBlockedRk4(problem.system, problem.input, problem.schedule, kStep, problem.start, observe);

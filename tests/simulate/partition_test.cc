@@ -85,7 +85,8 @@ void expectSerialBits(const Problem& problem, const std::vector<Way>& ways,
   for (const Way& way : ways) {
     SCOPED_TRACE(std::string(nameOf(way.scheme)) + " " + nameOf(way.map) + " " + std::to_string(way.threads));
     const Watchdog watchdog;
-    expectSameBits(problem.shared(way.scheme, way.map, way.threads, disturb), way.scheme == Scheme::kRows ? exact : rk4);
+    expectSameBits(problem.shared(way.scheme, way.map, way.threads, disturb),
+                   way.scheme == Scheme::kRows ? exact : rk4);
   }
 }
 

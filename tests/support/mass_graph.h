@@ -164,11 +164,11 @@ inline MassGraph massVehicle() {
                    {false, false, true, true});
 }
 
-/// Two waves that reach channel after channel at kinks beside samples and steps, then a ramp; duration 1.2 s.
+/// Two waves that reach channel after channel at kinks beside samples and steps, then a ramp; duration 0.75 s.
 inline Input wavesWithKinks(int channels) {
   std::vector<InputSegment> segments;
   double begin = 0.0;
-  for (const double end : {0.1037, 0.25, 0.5291, 0.5291 + 0.13, 1.2}) {
+  for (const double end : {0.1037, 0.25, 0.5291, 0.5291 + 0.13, 0.75}) {
     InputSegment segment;
     segment.begin = begin;
     segment.end = end;

@@ -52,10 +52,9 @@ int profileAndPrint(const Options& options) {
   requireWritable(options);
   const Model model = readModel(options.files);
   if (options.period) return profileByTheClock(model, options.choice, *options.period, options.common);
-  const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
   Profile profile;
   {
-    ProgressBar bar(shown, 1.0, "profiles");
+    ProgressBar bar(options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal, 1.0, "profiles");
     profile = profileOf(model, options.choice, options.every, [&](double share) { return bar.update(share, "profile"); });
   }
   if (profile.stopped) {

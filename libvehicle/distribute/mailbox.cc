@@ -28,7 +28,8 @@ std::optional<Letter> Mailbox::poll() {
   if (!there) return std::nullopt;
   int size = 0;
   MPI_Get_count(&status, MPI_BYTE, &size);
-  Letter letter{status.MPI_SOURCE, static_cast<Note>(status.MPI_TAG), std::vector<std::byte>(static_cast<std::size_t>(size))};
+  Letter letter{status.MPI_SOURCE, static_cast<Note>(status.MPI_TAG),
+                std::vector<std::byte>(static_cast<std::size_t>(size))};
   MPI_Recv(letter.bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
   return letter;
 }

@@ -19,7 +19,8 @@ void unpackBatch(std::span<const std::byte> bytes, std::size_t columns, Batch& b
   Unpacker message(bytes);
   batch.reset(message.get<DesignSpan>(), columns);
   if (message.get<std::uint64_t>() != batch.values.size()) {
-    throw std::runtime_error("ranks see different studies: let every machine read the same files with the same program");
+    throw std::runtime_error(
+        "ranks see different studies: let every machine read the same files with the same program");
   }
   message.getAll(std::span<double>(batch.values));
   const auto failures = message.get<std::uint64_t>();

@@ -7,8 +7,8 @@
 
 namespace vehicle {
 
-/// Number of the first output sample that counts: the first at or after `settle`, within a billionth of a step, as in an
-/// ensemble's run.
+/// Number of the first output sample that counts: the first at or after `settle`, within a billionth of a step, as in
+/// an ensemble's run.
 [[nodiscard]] int firstCounted(double settle, double output_step);
 
 /// Value below which the share q of the values lies, linear between the order statistics (q = 0.5: the median).

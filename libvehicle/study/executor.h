@@ -40,7 +40,8 @@ class Executor {
   /// An exception of a worker ends the run: no new batch is begun, those under way go to the sink, and the exception
   /// is thrown again here.
   /// @throws std::invalid_argument  if workload and evaluator do not fit
-  virtual Ending run(const Evaluator& evaluator, const Workload& workload, const Sink& sink, const GoOn& go_on = {}) = 0;
+  virtual Ending run(const Evaluator& evaluator, const Workload& workload, const Sink& sink,
+                     const GoOn& go_on = {}) = 0;
 
   /// Whether this process owns the study: writes its database and speaks to the user. The other ranks of a job do
   /// not; their run() ignores workload and sink, and serves until the leader's executor is gone.

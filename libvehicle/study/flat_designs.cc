@@ -55,7 +55,8 @@ std::optional<FlatDesigns::Target> FlatDesigns::targetOf(const StudyParameter& p
   parameter.in_vehicle->setIn(probe, other);
   Target target;
   if (const auto i = changed(base.elements, probe.elements)) {
-    target.number = base.elements[*i].stiffness_z != probe.elements[*i].stiffness_z ? Number::kStiffness : Number::kDamping;
+    target.number =
+        base.elements[*i].stiffness_z != probe.elements[*i].stiffness_z ? Number::kStiffness : Number::kDamping;
     target.part = *i;
     for (std::size_t s = 0; s < base.suspensions.size(); ++s) {
       if (base.suspensions[s].element == base.elements[*i].name) target.spring.push_back(s);

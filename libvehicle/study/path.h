@@ -16,7 +16,10 @@ namespace vehicle {
 class DesignRows {
  public:
   DesignRows(Batch& batch, std::size_t parameters, std::size_t metrics)
-      : batch_(batch), parameters_(parameters), metrics_(metrics), problems_(static_cast<std::size_t>(batch.range.size())) {}
+      : batch_(batch),
+        parameters_(parameters),
+        metrics_(metrics),
+        problems_(static_cast<std::size_t>(batch.range.size())) {}
 
   [[nodiscard]] std::size_t size() const { return problems_.size(); }
   [[nodiscard]] std::span<double> parameters(std::size_t design) { return row(design).first(parameters_); }

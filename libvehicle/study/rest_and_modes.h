@@ -7,8 +7,9 @@
 
 namespace vehicle {
 
-/// Metrics that know neither speed nor rail: natural modes, and what stands at rest, both under the gravity of the first
-/// scenario. Modes are those of the form that simulate() would take; a nonlinear vehicle's are linearised about rest.
+/// Metrics that know neither speed nor rail: natural modes, and what stands at rest, both under the gravity of the
+/// first scenario. Modes are those of the form that simulate() would take; a nonlinear vehicle's are linearised about
+/// rest.
 class RestAndModes {
  public:
   explicit RestAndModes(const StudyInputs& inputs);

@@ -22,8 +22,8 @@ struct StudyProgress {
   double seconds = 0.0;         // since this run began
 };
 
-/// Called about twenty times a second on the calling thread, and once at the end; returning false ends the run with what
-/// is done stored.
+/// Called about twenty times a second on the calling thread, and once at the end; returning false ends the run with
+/// what is done stored.
 using StudyWatch = std::function<bool(const StudyProgress&)>;
 
 struct StudyOutcome {

@@ -50,7 +50,9 @@ class SinglePath : public Path {
 
   [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
   [[nodiscard]] const StudyInputs& inputs() const { return inputs_; }
-  [[nodiscard]] const std::vector<ColumnRequest>& requests(std::size_t study_case) const { return requests_[study_case]; }
+  [[nodiscard]] const std::vector<ColumnRequest>& requests(std::size_t study_case) const {
+    return requests_[study_case];
+  }
 
  private:
   void tell(std::size_t study_case, std::size_t row, const std::exception& error, DesignRows& rows) const {

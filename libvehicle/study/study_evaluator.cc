@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "libvehicle/study/flat_designs.h"
 #include "libvehicle/study/rest_and_modes.h"
 
 namespace vehicle {
@@ -13,7 +14,9 @@ namespace {
 
 /// Designs in one call: enough to fill lanes and to spread the cost of a rail, few enough for a cache.
 std::int64_t batchOf(const StudyInputs& inputs, PathChoice::Kind kind) {
-  const bool own_rails = !scenariosAreFixed(inputs.bound);
+  if (kind != PathChoice::Kind::kSteadyEnsemble && kind != PathChoice::Kind::kEnsembleRuns) return 1;
+  // A rail for each design and case weighs some kilobytes.
+  const bool own_rails = !scenariosAreFixed(inputs.bound) || !FlatDesigns(inputs).geometryIsFixed();
   switch (kind) {
     case PathChoice::Kind::kSteadyEnsemble: return own_rails ? 64 : 512;
     case PathChoice::Kind::kEnsembleRuns: return own_rails ? 32 : 128;
@@ -44,7 +47,8 @@ class StudyWorker final : public Worker {
     }
     path_->evaluate(rows);
     rest_and_modes_.evaluate(rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) finish(task.range.first + static_cast<std::int64_t>(i), i, rows, batch);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      finish(task.range.first + static_cast<std::int64_t>(i), i, rows, batch);
   }
 
  private:

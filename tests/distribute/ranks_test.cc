@@ -18,8 +18,9 @@ class Ranks : public testing::Test {
     const std::string environment =
         "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_vader_single_copy_mechanism=none ";
     const std::string command = environment + "timeout 60 " VEHICLE_MPIRUN " --oversubscribe --bind-to none -n " +
-                                std::to_string(ranks) + " " VEHICLE_RANK_PROGRAM " " + which + " " + folder_.path(file) +
-                                " " + std::to_string(threads) + " > " + folder_.path("log") + " 2>&1";
+                                std::to_string(ranks) + " " VEHICLE_RANK_PROGRAM " " + which + " " +
+                                folder_.path(file) + " " + std::to_string(threads) + " > " + folder_.path("log") +
+                                " 2>&1";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }

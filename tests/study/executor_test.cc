@@ -39,7 +39,8 @@ struct Table {
 
 void sines(std::int64_t design, std::span<const double>, std::span<double> row) {
   if (design % 97 == 13) throw std::domain_error("design " + std::to_string(design) + " has no mass");
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::sin(static_cast<double>(design) + 0.1 * static_cast<double>(i));
+  const auto x = static_cast<double>(design);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::sin(x + 0.1 * static_cast<double>(i));
 }
 
 TEST(ThreadExecutor, AnyNumberOfThreadsGivesTheSameTable) {
@@ -71,7 +72,8 @@ TEST(ThreadExecutor, AFailedDesignIsReportedAlone) {
 TEST(ThreadExecutor, GivenNumbersFollowTheirDesigns) {
   // Two numbers a design, ranges with a gap: the row must show the design's own pair wherever the work was cut.
   const FunctionEvaluator evaluator(
-      2, 3, [](std::int64_t, std::span<const double> given, std::span<double> row) { std::ranges::copy(given, row.begin()); },
+      2, 3,
+      [](std::int64_t, std::span<const double> given, std::span<double> row) { std::ranges::copy(given, row.begin()); },
       2);
   Workload workload;
   workload.ranges = {{5, 50}, {80, 100}};

@@ -75,13 +75,15 @@ inline Answers answersOf(const StudyInputs& inputs, const std::vector<std::vecto
 }
 
 /// Metrics of a path of our choice.
-inline Answers answersBy(const StudyInputs& inputs, PathChoice::Kind kind, const std::vector<std::vector<double>>& designs) {
+inline Answers answersBy(const StudyInputs& inputs, PathChoice::Kind kind,
+                         const std::vector<std::vector<double>>& designs) {
   const std::size_t parameters = inputs.bound.parameters.size();
   const std::size_t metrics = metricColumns(inputs.bound).size();
   Batch batch;
   batch.reset({0, static_cast<std::int64_t>(designs.size())}, parameters + metrics);
   DesignRows rows(batch, parameters, metrics);
-  for (std::size_t i = 0; i < designs.size(); ++i) std::copy(designs[i].begin(), designs[i].end(), rows.parameters(i).begin());
+  for (std::size_t i = 0; i < designs.size(); ++i)
+    std::copy(designs[i].begin(), designs[i].end(), rows.parameters(i).begin());
   makePath(inputs, kind)->evaluate(rows);
   Answers answers;
   for (std::size_t i = 0; i < designs.size(); ++i) {

@@ -81,8 +81,8 @@ TEST(StudyRunner, AStoppedStudyGoesOnWhereItWas) {
   ASSERT_EQ(runStudy(study.inputs, study.plan, study.target("whole"), executor).ending, Ending::kFinished);
 
   int asked = 0;
-  const StudyOutcome first =
-      runStudy(study.inputs, study.plan, study.target("parts"), executor, [&](const StudyProgress&) { return ++asked < 2; });
+  const StudyOutcome first = runStudy(study.inputs, study.plan, study.target("parts"), executor,
+                                      [&](const StudyProgress&) { return ++asked < 2; });
   EXPECT_EQ(first.ending, Ending::kStopped);
   ASSERT_GT(first.progress.evaluated, 0u);
   ASSERT_LT(first.progress.evaluated, study.plan.size());

@@ -21,7 +21,8 @@ const std::vector<std::string> kEverything = {
     "secondary_front.deflection.peak", "wheelset_3.load.min", "rear_bogie.vz.rms", "primary_2.force.rms"};
 
 /// Metrics of columns from histories of simulate(), design by design, in the order of a row.
-std::vector<std::vector<double>> fromHistories(const StudyInputs& inputs, const std::vector<std::vector<double>>& designs,
+std::vector<std::vector<double>> fromHistories(const StudyInputs& inputs,
+                                               const std::vector<std::vector<double>>& designs,
                                                const RunChoice& given) {
   std::vector<std::vector<double>> rows;
   ColumnStatistic statistic;
@@ -51,7 +52,8 @@ void expectNear(const Answers& answers, const std::vector<std::vector<double>>& 
   for (std::size_t i = 0; i < expected.size(); ++i) {
     ASSERT_EQ(answers.metrics[i].size(), expected[i].size());
     for (std::size_t m = 0; m < expected[i].size(); ++m) {
-      EXPECT_WITHIN(answers.metrics[i][m], expected[i][m], relative * std::abs(expected[i][m])) << "design " << i << " metric " << m;
+      EXPECT_WITHIN(answers.metrics[i][m], expected[i][m], relative * std::abs(expected[i][m]))
+          << "design " << i << " metric " << m;
     }
   }
 }
@@ -87,9 +89,10 @@ TEST(StudyEvaluator, RunsOfAnEnsembleGiveTheMetricsOfHistories) {
 
 // The same where every design brings rails of its own: a wheel that stands elsewhere meets the rail at another time.
 TEST(StudyEvaluator, AParameterOfGeometryReachesTheWheelDelays) {
-  Study study = studyOf({range("wheelset_1.x, primary_1.x", "7 m", "9 m"), range("speed", "15 m/s", "30 m/s"),
-                         range("scenario.long.amplitude", "1 mm", "6 mm"), range("scenario.gravity", "9 m/s^2", "10 m/s^2")},
-                        everythingButMean());
+  Study study =
+      studyOf({range("wheelset_1.x, primary_1.x", "7 m", "9 m"), range("speed", "15 m/s", "30 m/s"),
+               range("scenario.long.amplitude", "1 mm", "6 mm"), range("scenario.gravity", "9 m/s^2", "10 m/s^2")},
+              everythingButMean());
   Scenario scenario = paperScenario(History::kOnset);
   scenario.run.duration = 2.0;
   scenario.track->harmonics[0].name = "long";
@@ -118,11 +121,13 @@ TEST(StudyEvaluator, StartsAsTheScenarioSays) {
 // 30 s leave 1e-11 of the slowest motion (e^(-0.75 30) at the worst of these designs and less at the others); the 5 s
 // that count are whole periods at both speeds, where the mean square of samples is that of the motion. 1e-9 asked.
 TEST(StudyEvaluator, TheSteadyStateIsWhereALongRunEnds) {
-  const std::vector<std::string> metrics = {"carbody.az.rms", "carbody.pitch.rms", "rear_bogie.az.rms", "wheelset_2.load.mean",
-                                            "secondary_front.force.rms", "carbody.az.band(0.5..1.5 Hz)"};
+  const std::vector<std::string> metrics = {
+      "carbody.az.rms",       "carbody.pitch.rms",         "rear_bogie.az.rms",
+      "wheelset_2.load.mean", "secondary_front.force.rms", "carbody.az.band(0.5..1.5 Hz)"};
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle()}) {
     const std::string spring = vehicle.name == "asymmetric" ? "secondary_soft" : "secondary";
-    Study study = studyOf({range(spring + ".stiffness_z", "1 MN/m", "4 MN/m"), list("speed", "20 m/s, 25 m/s")}, metrics);
+    Study study =
+        studyOf({range(spring + ".stiffness_z", "1 MN/m", "4 MN/m"), list("speed", "20 m/s, 25 m/s")}, metrics);
     study.evaluation = Evaluation::kSteadyState;
     const std::vector<std::vector<double>> designs = {{2e6}, {3.3e6}};
     const StudyInputs inputs = inputsOf(study, vehicle, {paperScenario(History::kOnset)});
@@ -138,7 +143,8 @@ TEST(StudyEvaluator, TheSteadyStateIsWhereALongRunEnds) {
 }
 
 // The matrix form's closed form shares no line with the ensemble's. Peaks: the ensemble's 64 samples a period of the
-// highest order and a parabola, 6e-6 seen where waves of two orders meet; percentiles are as fine as 4096 samples, here the same ones.
+// highest order and a parabola, 6e-6 seen where waves of two orders meet; percentiles are as fine as 4096 samples,
+// here the same ones.
 TEST(StudyEvaluator, BothClosedFormsAgree) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), heightsVehicle()}) {
     Study study = studyOf({range("carbody.mass", "40 t", "60 t"), list("speed", "20 m/s, 31 m/s")}, kEverything);
@@ -237,8 +243,9 @@ TEST(StudyEvaluator, RestAndModesAreMetricsToo) {
 }
 
 TEST(StudyEvaluator, AModeThatIsNotThereNamesTheNearest) {
-  const StudyInputs inputs = inputsOf(studyOf({range("carbody.mass", "40 t", "60 t")}, {"mode.carbody bouncy.frequency"}),
-                                      paperVehicle(), {paperScenario(History::kOnset)});
+  const StudyInputs inputs =
+      inputsOf(studyOf({range("carbody.mass", "40 t", "60 t")}, {"mode.carbody bouncy.frequency"}), paperVehicle(),
+               {paperScenario(History::kOnset)});
   const Answers answers = answersOf(inputs, {{57e3}});
   EXPECT_EQ(answers.problems.at(0), "mode \"carbody bouncy\" is unknown; did you mean \"carbody bounce\"?");
 }

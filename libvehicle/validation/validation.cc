@@ -1,6 +1,7 @@
 #include "libvehicle/validation/validation.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -49,7 +50,14 @@ class Case {
   ValidationReport validate() {
     plan();
     requireMemory();
-    for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped; ++i) run(i);
+    for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped;) {
+      if (run(i)) {
+        ++i;
+      } else {
+        report_.runs.erase(report_.runs.begin() + static_cast<std::ptrdiff_t>(i));
+        histories_.pop_back();
+      }
+    }
     if (!report_.stopped) judge();
     return std::move(report_);
   }
@@ -173,7 +181,8 @@ class Case {
     return equations_.back();
   }
 
-  void run(std::size_t index) {
+  /// @return false if the run is to be left out
+  bool run(std::size_t index) {
     ValidationRun& run = report_.runs[index];
     RunChoice choice = choice_.run;
     choice.form = run.key.form;
@@ -190,10 +199,21 @@ class Case {
     };
     if (!report_progress(0.0)) {
       report_.stopped = true;
-      return;
+      return true;
     }
+    const double most = run.key.scheme.empty() ? HUGE_VAL : patienceFor(run.key);
+    const auto begin = std::chrono::steady_clock::now();
+    bool too_long = false;
     try {
-      RunResult result = simulate(vehicle_, scenario_, choice, report_progress);
+      RunResult result = simulate(vehicle_, scenario_, choice, [&](double share) {
+        too_long = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > most;
+        return !too_long && report_progress(share);
+      });
+      if (too_long) {
+        report_.notes.push_back(fmt::format("{} is left out: not done after {:.3g} s, because the machine is busy",
+                                            run.key.text(), most));
+        return false;
+      }
       run.statistics = result.statistics;
       run.key.steps = result.statistics.steps;
       // Told is what ran, whatever was asked for.
@@ -205,6 +225,13 @@ class Case {
     } catch (const RunFailed& failure) {
       run.failure = failure.what();
     }
+    return true;
+  }
+
+  [[nodiscard]] double patienceFor(const RunKey& shared) const {
+    const auto serial = find(shared.form, shared.method, shared.refine);
+    const double steps = serial ? static_cast<double>(report_.runs[*serial].key.steps) : 0.0;
+    return choice_.patience * (1.0 + steps / 10'000.0);
   }
 
   void requireMemory() {

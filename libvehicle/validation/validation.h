@@ -30,6 +30,9 @@ struct ValidationChoice {
   RunChoice run;                     // speed, step and tolerances of every run; form, method, refine and threads are
                                      // not read
   std::vector<SharedColumn> shared = usualSharedColumns();  // each beside its serial run, where that is run
+  // [s] that a shared run may last, and as much again for every 10 000 steps. Four threads on two cores that other
+  // programs keep busy take milliseconds a step, 500 times what they take in peace: such a run is left out, with a note.
+  double patience = 1.0;
 };
 
 struct ValidationRun {

@@ -75,10 +75,17 @@ TEST(ThreadOptions, WhatIsWrongIsToldInOneLineWithStatusTwo) {
   }
 }
 
+// Threads on a machine that other tests keep busy may take milliseconds a step: few steps.
+std::string shortPaper(const TestFolder& folder) {
+  return folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="300 ms" output_step="5 ms")"));
+}
+
 TEST(SimulateCommand, ThreadsChangeNoDigitOfItsColumns) {
-  const auto columns = [](std::vector<std::string> options) {
-    options.insert(options.end(), {"--format", "json"});
-    const ProgramRun run = runVehicle(with("simulate", options));
+  const TestFolder folder;
+  const std::string scenario = shortPaper(folder);
+  const auto columns = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"simulate", kVehicle, scenario, "--format", "json"});
+    const ProgramRun run = runVehicle(options);
     EXPECT_EQ(run.status, 0) << run.err;
     return Json::parse(run.out);
   };
@@ -106,8 +113,8 @@ TEST(SimulateCommand, WithAutoTheChoiceAndItsNumbersArePrinted) {
 TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {
   const TestFolder folder;
   const ProgramRun run =
-      runVehicle(with("profile", {"--threads", "4", "--scheme", "stages", "--map", "paper", "--format", "json", "--trace",
-                                  folder.path("t.json"), "--timeline", folder.path("t.svg")}));
+      runVehicle({"profile", kVehicle, shortPaper(folder), "--threads", "4", "--scheme", "stages", "--map", "paper",
+                  "--format", "json", "--trace", folder.path("t.json"), "--timeline", folder.path("t.svg")});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "written: " + folder.path("t.json") + "\nwritten: " + folder.path("t.svg") + "\n");
   const Json told = Json::parse(run.out);
@@ -139,7 +146,7 @@ TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {
     EXPECT_GE(event["dur"], 0.0);
     EXPECT_EQ(event["args"]["step"].get<long>() % 16, 0);
   }
-  EXPECT_GT(spans, 1000);
+  EXPECT_GT(spans, 50);  // 19 steps of four threads, each with a span at least
   EXPECT_GT(waits, 0);
   EXPECT_TRUE(has(textOf(folder.path("t.svg")), "thread 4</text>"));
 }

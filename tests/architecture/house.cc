@@ -24,6 +24,7 @@ std::vector<Call> callsOf(const std::string& command, const fs::path& path) {
   for (std::string line; std::getline(stream, line);) {
     ++number;
     line = line.substr(0, line.find('#'));
+    line.erase(0, line.find_first_not_of(" \t"));  // a room that is built under a condition is indented
     if (!open && line.starts_with(command + "(")) {
       open = true;
       calls.push_back({number, {}});

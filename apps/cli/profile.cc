@@ -54,8 +54,10 @@ int profileAndPrint(const Options& options) {
   if (options.period) return profileByTheClock(model, options.choice, *options.period, options.common);
   Profile profile;
   {
-    ProgressBar bar(options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal, 1.0, "profiles");
-    profile = profileOf(model, options.choice, options.every, [&](double share) { return bar.update(share, "profile"); });
+    const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
+    ProgressBar bar(shown, 1.0, "profiles");
+    const auto ask = [&](double share) { return bar.update(share, "profile"); };
+    profile = profileOf(model, options.choice, options.every, ask);
   }
   if (profile.stopped) {
     std::cerr << "vehicle: interrupted; the threads were not watched to the end\n";
@@ -101,12 +103,10 @@ Action addProfile(CLI::App& program) {
   addQuantity(*command, "--step", Dimension::kTime, "rk4: largest step   (default: \"1 ms\")",
               [options](double value) { options->choice.step = value; });
   addCount(*command, "--every", options->every, "traces every N-th step; 1 traces all   (default: 16)");
-  command->add_option("--trace", options->trace, "spans as JSON for Perfetto or chrome://tracing   (default: none)")
-      ->type_name("FILE");
-  command->add_option("--timeline", options->timeline, "two steps as a picture, SVG   (default: none)")
-      ->type_name("FILE");
-  for (const char* other : {"--threads", "--scheme", "--map", "--waiting", "--method", "--step", "--every", "--trace",
-                            "--timeline"}) {
+  command->add_option("--trace", options->trace, "spans as JSON for Perfetto   (default: none)")->type_name("FILE");
+  command->add_option("--timeline", options->timeline, "two steps as an SVG   (default: none)")->type_name("FILE");
+  for (const char* other :
+       {"--threads", "--scheme", "--map", "--waiting", "--method", "--step", "--every", "--trace", "--timeline"}) {
     realtime->excludes(command->get_option(other));
   }
   addCommonOptions(*command, options->common);

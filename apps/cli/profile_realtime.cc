@@ -53,8 +53,8 @@ int profileByTheClock(const Model& model, const RunChoice& choice, double period
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
   print(document, common.format, std::cout);
   if (!run.report.stopped) return kDone;
-  std::cerr << fmt::format("vehicle: interrupted after {} of {} steps; the figures above end there\n",
-                           run.report.steps, run.steps);
+  std::cerr << fmt::format("vehicle: interrupted after {} of {} steps; the figures above end there\n", run.report.steps,
+                           run.steps);
   return kInterrupted;
 }
 

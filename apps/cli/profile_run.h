@@ -18,11 +18,11 @@ struct StepTimes {
 
 /// What `vehicle profile` found out.
 struct Profile {
-  RunResult run;       // the last traced one
-  Trace trace;         // of it
-  StepTimes serial;    // the best serial code of the same method
-  StepTimes plain;     // shared among the threads, not traced
-  StepTimes traced;    // the same, traced
+  RunResult run;         // the last traced one
+  Trace trace;           // of it
+  StepTimes serial;      // the best serial code of the same method
+  StepTimes plain;       // shared among the threads, not traced
+  StepTimes traced;      // the same, traced
   bool stopped = false;  // ended early on request: nothing of it counts
 };
 

@@ -15,9 +15,7 @@ namespace {
 
 Cell known(long value) { return value < 0 ? Cell() : Cell(value); }
 /// [%]; nothing where the part is not known or there is no whole.
-Cell shareOf(double part, double whole) {
-  return part >= 0.0 && whole > 0.0 ? Cell(100.0 * part / whole) : Cell();
-}
+Cell shareOf(double part, double whole) { return part >= 0.0 && whole > 0.0 ? Cell(100.0 * part / whole) : Cell(); }
 Cell orNothing(const std::string& text) { return text.empty() ? Cell() : Cell(text); }
 
 std::string wordsOf(const Waiting& waiting) {
@@ -133,9 +131,9 @@ Table placementTable(const TeamReport& team) {
   for (std::size_t i = 0; i < team.members.size(); ++i) {
     const MemberReport& each = team.members[i];
     table.rows.push_back({static_cast<long>(i + 1), known(static_cast<long>(each.core_before)),
-                          known(static_cast<long>(each.core_after)), each.pinned,
-                          known(each.usage.migrations), known(each.usage.voluntary), known(each.usage.involuntary),
-                          each.priority, orNothing(each.priority_note)});
+                          known(static_cast<long>(each.core_after)), each.pinned, known(each.usage.migrations),
+                          known(each.usage.voluntary), known(each.usage.involuntary), each.priority,
+                          orNothing(each.priority_note)});
   }
   return table;
 }
@@ -190,16 +188,16 @@ Document documentOf(const Profile& profile) {
     return document;
   }
   const double untraced = profile.plain.median();
-  document.facts.insert(document.facts.end(),
-                        {{"waiting", wordsOf(profile.run.team.waiting), ""},
-                         {"cores allowed", static_cast<long>(profile.run.team.cores.size()), ""},
-                         {"steps", profile.run.statistics.steps, ""},
-                         {"traced steps", trace.traced_steps, ""},
-                         {"clock reading", 1e9 * trace.stamp_cost, "ns"},
-                         {"tracing, counted", trace.run_seconds > 0.0 ? 100.0 * trace.overhead / trace.run_seconds : 0.0,
-                          "% of thread 1"},
-                         {"tracing, measured",
-                          untraced > 0.0 ? Cell(100.0 * (profile.traced.median() / untraced - 1.0)) : Cell(), "%"}});
+  document.facts.insert(
+      document.facts.end(),
+      {{"waiting", wordsOf(profile.run.team.waiting), ""},
+       {"cores allowed", static_cast<long>(profile.run.team.cores.size()), ""},
+       {"steps", profile.run.statistics.steps, ""},
+       {"traced steps", trace.traced_steps, ""},
+       {"clock reading", 1e9 * trace.stamp_cost, "ns"},
+       {"tracing, counted", trace.run_seconds > 0.0 ? 100.0 * trace.overhead / trace.run_seconds : 0.0,
+        "% of thread 1"},
+       {"tracing, measured", untraced > 0.0 ? Cell(100.0 * (profile.traced.median() / untraced - 1.0)) : Cell(), "%"}});
   document.tables = {decisionTable(profile.run.decision),
                      speedTable(profile),
                      shareTable(profile),
@@ -210,8 +208,8 @@ Document documentOf(const Profile& profile) {
                      histogramTable("histogram of the step times", "steps", trace.steps)};
   if (!trace.clock_note.empty()) document.remarks.push_back(trace.clock_note);
   if (trace.dropped_steps > 0) {
-    document.remarks.push_back(
-        fmt::format("{} steps were not traced because the buffer was full; take a larger --every", trace.dropped_steps));
+    document.remarks.push_back(fmt::format(
+        "{} steps were not traced because the buffer was full; take a larger --every", trace.dropped_steps));
   }
   for (const std::string& line : profile.run.team.members.front().usage.missing) {
     document.remarks.push_back(fmt::format("not available: {}", line));

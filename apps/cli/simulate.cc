@@ -47,13 +47,12 @@ int simulateAndStore(const Options& options) {
                     {"method", result.method, ""},
                     {"speed", result.speed, "m/s"}};
   for (Fact& fact : sharingFacts(result)) document.facts.push_back(std::move(fact));
-  document.facts.insert(document.facts.end(),
-                   {{"end of run", reached, "s"},
-                    {"samples", static_cast<long>(history.samples()), ""},
-                    {"steps", result.statistics.steps, ""},
-                    {"evaluations", result.statistics.evaluations, ""},
-                    {"rejected steps", result.statistics.rejected, ""},
-                    {"run time", result.wall_seconds, "s"}});
+  document.facts.insert(document.facts.end(), {{"end of run", reached, "s"},
+                                               {"samples", static_cast<long>(history.samples()), ""},
+                                               {"steps", result.statistics.steps, ""},
+                                               {"evaluations", result.statistics.evaluations, ""},
+                                               {"rejected steps", result.statistics.rejected, ""},
+                                               {"run time", result.wall_seconds, "s"}});
   document.tables = {decisionTable(result.decision), historyTable(history)};
   print(document, options.common.format, std::cout);
   for (const std::string& output : options.outputs) {
@@ -80,7 +79,8 @@ Action addSimulate(CLI::App& program) {
       ->check(oneOf(formNames()));
   command
       ->add_option("--method", options->choice.method,
-                   "rk4 | dopri5 | exact | simbody_rkm, or for a flat vehicle whose front and\nrear are alike rk4_split | exact_split   "
+                   "rk4 | dopri5 | exact | simbody_rkm, or for a flat vehicle whose front and\nrear are alike "
+                   "rk4_split | exact_split   "
                    "(default: exact where it fits,\nelse dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));

@@ -91,8 +91,8 @@ Table decisionTable(const Decision& decision) {
               {}};
   if (decision.reason.empty()) return table;
   for (const Candidate& each : decision.candidates) {
-    table.rows.push_back({std::string(nameOf(each.scheme)), static_cast<long>(each.threads), nanoseconds(each.predicted),
-                          nanoseconds(each.measured),
+    table.rows.push_back({std::string(nameOf(each.scheme)), static_cast<long>(each.threads),
+                          nanoseconds(each.predicted), nanoseconds(each.measured),
                           each.scheme == decision.scheme && each.threads == decision.threads});
   }
   return table;

@@ -116,8 +116,8 @@ std::string panel(const Trace& trace, const Step& step, double top, const char* 
 std::string legend() {
   std::string text;
   double x = kLeft;
-  for (const auto& [colour, word] :
-       {std::pair{kCompute, "computing"}, std::pair{kWait, "waiting for thread n"}, std::pair{kUntraced, "not traced"}}) {
+  for (const auto& [colour, word] : {std::pair{kCompute, "computing"}, std::pair{kWait, "waiting for thread n"},
+                                     std::pair{kUntraced, "not traced"}}) {
     text += box(x, 54.0, 16.0, 14.0, colour, word);
     text += textAt(x + 22.0, 66.0, "", word);
     x += 170.0;

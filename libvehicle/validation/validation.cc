@@ -210,8 +210,8 @@ class Case {
         return !too_long && report_progress(share);
       });
       if (too_long) {
-        report_.notes.push_back(fmt::format("{} is left out: not done after {:.3g} s, because the machine is busy",
-                                            run.key.text(), most));
+        report_.notes.push_back(
+            fmt::format("{} is left out: not done after {:.3g} s, because the machine is busy", run.key.text(), most));
         return false;
       }
       run.statistics = result.statistics;
@@ -327,8 +327,8 @@ class Case {
     const RunKey& b = report_.runs[j].key;
     if (a.refine != 1) return false;
     if (b.refine == 1) return true;
-    return a.method == "exact" && a.scheme.empty() && isLinearForm(b.form) && equationsOf(a.form) == equationsOf(b.form) &&
-           (i == 0 || isPrintedVariant(a.form));
+    return a.method == "exact" && a.scheme.empty() && isLinearForm(b.form) &&
+           equationsOf(a.form) == equationsOf(b.form) && (i == 0 || isPrintedVariant(a.form));
   }
 
   void compare(std::size_t i, std::size_t j, const std::vector<RunSize>& sizes) {
@@ -371,7 +371,7 @@ class Case {
   ValidationReport report_;
   std::vector<TimeHistory> histories_;  // shape (runs)
   std::vector<Equations> equations_;
-  std::optional<int> flat_equations_;   // into which the flat form can be cut
+  std::optional<int> flat_equations_;  // into which the flat form can be cut
 };
 
 }  // namespace

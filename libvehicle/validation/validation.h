@@ -26,7 +26,7 @@ struct SharedColumn {
 /// Which forms and methods are set against each other, and with which settings.
 struct ValidationChoice {
   std::vector<std::string> forms;    // empty: all but the printed variants
-  std::vector<std::string> methods;  // empty: all, those in bounce and pitch coordinates where the vehicle is symmetric
+  std::vector<std::string> methods;  // empty: all, bounce and pitch apart where the vehicle is symmetric
   RunChoice run;                     // speed, step and tolerances of every run; form, method, refine and threads are
                                      // not read
   std::vector<SharedColumn> shared = usualSharedColumns();  // each beside its serial run, where that is run

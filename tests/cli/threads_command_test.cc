@@ -166,8 +166,8 @@ TEST(ProfileCommand, InRealTimeStepsAreReleasedByTheClock) {
   const std::string scenario =
       folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="400 ms" output_step="5 ms")"));
   const auto begin = std::chrono::steady_clock::now();
-  const ProgramRun run = runVehicle(
-      {"profile", folder.file("v.xml", smallVehicle()), scenario, "--realtime", "2 ms", "--format", "json"});
+  const ProgramRun run =
+      runVehicle({"profile", folder.file("v.xml", smallVehicle()), scenario, "--realtime", "2 ms", "--format", "json"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(398));
   const Json facts = Json::parse(run.out)["facts"];

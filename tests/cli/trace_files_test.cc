@@ -45,9 +45,9 @@ TEST(Timeline, ShowsTheLongestStepWithItsLanesWaitsAndAxis) {
   const std::string svg = timelineOf(sample(), "coach: rk4 by stages & more");
   EXPECT_EQ(svg.rfind("<svg xmlns=\"http://www.w3.org/2000/svg\"", 0), 0u);
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
-  for (const char* part : {"coach: rk4 by stages &amp; more", "the longest traced step: step 0, 10 us", "thread 1</text>",
-                           "thread 2</text>", "for 2</text>", "time since the step began [us]", "computing</text>",
-                           "thread 1, step 0: waits for thread 2, 6.000 us"}) {
+  for (const char* part : {"coach: rk4 by stages &amp; more", "the longest traced step: step 0, 10 us",
+                           "thread 1</text>", "thread 2</text>", "for 2</text>", "time since the step began [us]",
+                           "computing</text>", "thread 1, step 0: waits for thread 2, 6.000 us"}) {
     EXPECT_TRUE(has(svg, part)) << part;
   }
 }

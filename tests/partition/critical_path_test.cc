@@ -13,7 +13,8 @@ using Kind = Span::Kind;
 constexpr double kRounding = 1e-13;
 
 TEST(CriticalPath, OfOneThreadIsItsComputing) {
-  const Trace trace{.threads = 1, .spans = {{0, 0, Kind::kCompute, 1.0, 3.0, -1}, {0, 16, Kind::kCompute, 9.0, 10.0, -1}}};
+  const Trace trace{.threads = 1,
+                    .spans = {{0, 0, Kind::kCompute, 1.0, 3.0, -1}, {0, 16, Kind::kCompute, 9.0, 10.0, -1}}};
   const CriticalPath path = criticalPathOf(trace);
   EXPECT_EQ(path.steps, 2);
   EXPECT_WITHIN(path.seconds, 3.0, kRounding);

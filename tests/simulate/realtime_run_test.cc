@@ -62,8 +62,8 @@ TEST(RealtimeRun, AKinkedRailAndAnotherFormRunToo) {
 
 TEST(RealtimeRun, IsStoppedFromOutsideInTheMiddle) {
   long asked = 0;
-  const RealtimeRun run = simulateRealtime(test::paperVehicle(), railFor(60.0), flatRun(), 1e-3,
-                                           [&](double) { return ++asked < 20; });
+  const RealtimeRun run =
+      simulateRealtime(test::paperVehicle(), railFor(60.0), flatRun(), 1e-3, [&](double) { return ++asked < 20; });
   EXPECT_TRUE(run.report.stopped);
   EXPECT_GT(run.report.steps, 0);
   EXPECT_LT(run.report.steps, 30000);  // half of it: 30 s later than it was asked for

@@ -86,4 +86,6 @@ std::vector<int> allowedCores() {
   return ordered;
 }
 
+int allowedCoreCount() { return static_cast<int>(maskOfThisThread().size()); }
+
 }  // namespace vehicle

@@ -11,4 +11,7 @@ namespace vehicle {
 /// hwloc knows nothing, the order is that of the mask.
 [[nodiscard]] std::vector<int> allowedCores();
 
+/// How many that are, without asking hwloc: its first answer takes milliseconds, longer than many a run.
+[[nodiscard]] int allowedCoreCount();
+
 }  // namespace vehicle

@@ -110,7 +110,7 @@ SharedRun runShared(const std::string& method, const System& system, const Input
     ways.push_back(sharing.way(any_scheme ? Scheme::kSerial : schemeOf(request.scheme), 1));
   }
   std::vector<int> counts = {request.threads};
-  if (request.threads == 0) counts = threadCounts(static_cast<int>(allowedCores().size()));
+  if (request.threads == 0) counts = threadCounts(allowedCoreCount());
   if (request.threads == 0 && isSplitMethod(method)) std::erase_if(counts, [](int threads) { return threads > 2; });
   for (const int threads : counts) {
     if (threads == 1 || request.scheme == nameOf(Scheme::kSerial)) continue;

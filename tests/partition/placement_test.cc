@@ -16,6 +16,7 @@ TEST(Placement, AllowedCoresAreThoseOfTheAffinityMaskEachOnce) {
   const cpu_set_t mask = test::maskOfThisThread();
   std::vector<int> cores = allowedCores();
   EXPECT_EQ(cores.size(), static_cast<std::size_t>(CPU_COUNT(&mask)));
+  EXPECT_EQ(allowedCoreCount(), CPU_COUNT(&mask));
   std::ranges::sort(cores);
   EXPECT_EQ(std::ranges::adjacent_find(cores), cores.end());
   for (const int core : cores) EXPECT_TRUE(CPU_ISSET(static_cast<unsigned>(core), &mask)) << core;
@@ -25,6 +26,7 @@ TEST(Placement, AMaskOfOneCoreIsRespectedByCoresAndPolicy) {
   for (const int core : allowedCores()) {
     const test::OnlyCore only(core);
     EXPECT_EQ(allowedCores(), std::vector<int>{core});
+    EXPECT_EQ(allowedCoreCount(), 1);
     TeamChoice choice{.threads = 2};
     const TeamReport report = runTeam(choice, [](Member&) {});
     EXPECT_EQ(report.cores, std::vector<int>{core});

@@ -7,8 +7,11 @@
 //         sink       the leader's sink throws; everything is evaluated in a second run
 //         absent     rank 1 never calls run(); the leader writes what is thrown to it
 //         lost       rank 1 is gone in the middle of its work
+//         stored     a study of 60 000 designs with a database FILE, gone on with if it is there; then FILE.csv
+//         stored-lost  the same until rank 1 is gone
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -16,9 +19,11 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "libvehicle/distribute/mpi_executor.h"
+#include "libvehicle/study/runner.h"
 #include "tests/study/evaluators.h"
 
 namespace {
@@ -53,6 +58,37 @@ void writeText(const char* file, const std::string& text) {
   std::fclose(out);
 }
 
+/// The study's own way: what is missing is evaluated by all ranks, and the leader alone has the database.
+int runStored(MpiExecutor& executor, const std::string& file, bool loses_rank_1) {
+  int evaluated = 0;
+  const test::FunctionEvaluator evaluator(
+      2, 64, [&](std::int64_t design, std::span<const double>, std::span<double> row) {
+        if (loses_rank_1) {
+          // Work that takes a while is shared evenly: all have done some thousand designs when rank 1 goes.
+          if (design % 64 == 0) std::this_thread::sleep_for(std::chrono::microseconds(500));
+          if (executor.rank() == 1 && ++evaluated == 8000) ::_exit(9);
+        }
+        row[0] = static_cast<double>(design);
+        row[1] = std::sin(row[0]);
+      });
+  if (!executor.leads()) {
+    serve(evaluator, executor);
+    return 0;
+  }
+  StudyTarget target;
+  target.database = file;
+  target.resume = true;
+  StudyRecord record;
+  record.program = "rank_program";
+  record.parameters = {{"x", "m"}};
+  record.metrics = {{"y", "m"}};
+  record.designs = 60'000;
+  StudyDatabase database = openOrCreate(target, record);
+  evaluateMissing(database, evaluator, executor);
+  database.writeCsv(file + ".csv");
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -60,6 +96,7 @@ int main(int argc, char** argv) {
   const std::string which = argv[1];
   const char* file = argv[2];
   MpiExecutor executor(argc > 3 ? std::atoi(argv[3]) : 1);
+  if (which.starts_with("stored")) return runStored(executor, file, which == "stored-lost");
   const int rank = executor.rank();
   int evaluated = 0;
   const test::FunctionEvaluator evaluator(

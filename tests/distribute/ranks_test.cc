@@ -72,5 +72,14 @@ TEST_F(Ranks, ALostOneEndsTheJobInsteadOfHangingIt) {
   EXPECT_NE(status, 124) << "it hung until the time was up";
 }
 
+TEST_F(Ranks, AStudyWhoseRankWasLostGoesOnToTheSameTable) {
+  ASSERT_EQ(run(1, "stored", "whole"), 0) << text("log");
+  EXPECT_NE(run(3, "stored-lost", "parts"), 0);
+  EXPECT_EQ(text("parts.csv"), "");  // it did end in the middle
+  EXPECT_EQ(run(2, "stored", "parts"), 0) << text("log");
+  EXPECT_GT(text("whole.csv").size(), 1'000'000u);
+  EXPECT_TRUE(text("parts.csv") == text("whole.csv"));
+}
+
 }  // namespace
 }  // namespace vehicle

@@ -211,6 +211,12 @@ Document documentOf(const Profile& profile) {
     document.remarks.push_back(fmt::format(
         "{} steps were not traced because the buffer was full; take a larger --every", trace.dropped_steps));
   }
+  std::string told;
+  for (const MemberReport& each : profile.run.team.members) {
+    if (each.pinned || each.pinning_note == told) continue;
+    told = each.pinning_note;
+    document.remarks.push_back(fmt::format("not pinned: {}", told));
+  }
   for (const std::string& line : profile.run.team.members.front().usage.missing) {
     document.remarks.push_back(fmt::format("not available: {}", line));
   }

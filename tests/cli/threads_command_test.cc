@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -149,6 +150,17 @@ TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {
   EXPECT_GT(spans, 50);  // 19 steps of four threads, each with a span at least
   EXPECT_GT(waits, 0);
   EXPECT_TRUE(has(textOf(folder.path("t.svg")), "thread 4</text>"));
+}
+
+TEST(ProfileCommand, SaysThatThreadsWereNotPinnedAndWhy) {
+  const TestFolder folder;
+  const ProgramRun run = runVehicle({"profile", kVehicle, shortPaper(folder), "--threads", "2", "--scheme", "halo",
+                                     "--pinning", "free", "--format", "json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json told = Json::parse(run.out);
+  for (const Json& row : told["tables"]["cores"]["rows"]) EXPECT_EQ(row["pinned"], false);
+  EXPECT_NE(std::find(told["remarks"].begin(), told["remarks"].end(), "not pinned: not asked for"),
+            told["remarks"].end());
 }
 
 TEST(ProfileCommand, OfExactRowsAndOfOneThreadWork) {

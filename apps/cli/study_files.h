@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libvehicle/storage/study_database.h"
-#include "libvehicle/study/design_plan.h"
+#include "libvehicle/study/plan/design_plan.h"
 #include "libvehicle/study/study_inputs.h"
 
 namespace vehicle::cli {

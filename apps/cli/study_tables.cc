@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/study/verdict.h"
+#include "libvehicle/study/compare/verdict.h"
 
 namespace vehicle::cli {
 namespace {

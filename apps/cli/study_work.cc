@@ -12,7 +12,7 @@
 #include "apps/cli/study_files.h"
 #include "apps/cli/study_tables.h"
 #include "libvehicle/study/runner.h"
-#include "libvehicle/study/search_study.h"
+#include "libvehicle/study/search/search_study.h"
 #ifdef VEHICLE_WITH_MPI
 #include "libvehicle/distribute/mpi_executor.h"
 #endif

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "libvehicle/study/evaluation.h"
+#include "libvehicle/study/evaluate/evaluation.h"
 
 namespace vehicle {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "libvehicle/distribute/mailbox.h"
-#include "libvehicle/study/work_pool.h"
+#include "libvehicle/study/execute/work_pool.h"
 
 namespace vehicle {
 
@@ -149,8 +149,8 @@ class MpiExecutor::Job {
 
   int rank = 0;
   int ranks = 1;
-  std::vector<int> threads;         // (ranks)
-  std::vector<std::int64_t> lent;   // (ranks) leader: designs that a follower has and has not given back
+  std::vector<int> threads;        // (ranks)
+  std::vector<std::int64_t> lent;  // (ranks) leader: designs that a follower has and has not given back
   Mailbox mailbox;
 
  private:

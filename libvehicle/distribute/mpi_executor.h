@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "libvehicle/study/executor.h"
+#include "libvehicle/study/execute/executor.h"
 
 namespace vehicle {
 

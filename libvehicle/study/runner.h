@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "libvehicle/storage/study_database.h"
-#include "libvehicle/study/design_plan.h"
-#include "libvehicle/study/executor.h"
-#include "libvehicle/study/study_evaluator.h"
+#include "libvehicle/study/evaluate/study_evaluator.h"
+#include "libvehicle/study/execute/executor.h"
+#include "libvehicle/study/plan/design_plan.h"
 
 namespace vehicle {
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "libvehicle/study/pareto.h"
-#include "libvehicle/study/search_study.h"
-#include "libvehicle/study/verdict.h"
+#include "libvehicle/study/compare/pareto.h"
+#include "libvehicle/study/search/search_study.h"
+#include "libvehicle/study/compare/verdict.h"
 
 namespace vehicle {
 

@@ -74,6 +74,11 @@ std::string roomOf(const std::string& path) {
   return slash == std::string::npos ? "" : path.substr(kLibrary.size(), slash - kLibrary.size());
 }
 
+// The file as its room's CMakeLists.txt lists it: "libvehicle/study/plan/design_plan.h" -> "plan/design_plan.h".
+std::string pathInRoom(const std::string& file) {
+  return fs::path(file).lexically_relative(fs::path("libvehicle") / roomOf(file)).string();
+}
+
 std::string_view libraryOf(std::string_view header) {
   for (const Header& known : kHeaders) {
     if (header.starts_with(known.start)) return known.target;
@@ -137,7 +142,7 @@ std::optional<std::string> judgeLibrary(const House& house, const std::string& f
     return "<" + header + "> belongs in " + std::string(kSimbodyFile) + " alone";
   }
   const Room& own = house.rooms().at(room);
-  if (own.privately.contains(library) && own.headers.contains(fs::path(file).filename().string())) {
+  if (own.privately.contains(library) && own.headers.contains(pathInRoom(file))) {
     return "<" + header + "> is private to room " + room + " and stands in a public header";
   }
   return std::nullopt;
@@ -177,7 +182,7 @@ Violations wrongFiles(const fs::path& root) {
   }
   for (const std::string& file : cppFiles(root, "libvehicle")) {
     const auto room = house.rooms().find(roomOf(file));
-    if (room == house.rooms().end() || room->second.files.contains(fs::path(file).filename().string())) continue;
+    if (room == house.rooms().end() || room->second.files.contains(pathInRoom(file))) continue;
     found.push_back(file + ":1: libvehicle/" + room->first + "/CMakeLists.txt does not list this file");
   }
   for (const auto& [name, room] : house.rooms()) {

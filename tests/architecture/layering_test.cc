@@ -132,9 +132,11 @@ TEST(ArchitectureChecker, NamesFilesThatNobodyBuilds) {
   const Tree tree;
   tree.put("libvehicle/util/a.cc", "");
   tree.put("libvehicle/mbs/forgotten.cc", "");
+  tree.put("libvehicle/run/later/a.cc", "");  // the listed a.cc is another one
   fs::remove(tree.root() / "libvehicle/xml/a.cc");
   EXPECT_EQ(lines(sorted(wrongFiles(tree.root()))),
             "libvehicle/mbs/forgotten.cc:1: libvehicle/mbs/CMakeLists.txt does not list this file\n"
+            "libvehicle/run/later/a.cc:1: libvehicle/run/CMakeLists.txt does not list this file\n"
             "libvehicle/util:1: no vehicle_room() declares this folder\n"
             "libvehicle/xml/CMakeLists.txt:1: lists a.cc, which does not exist\n");
 }

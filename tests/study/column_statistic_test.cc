@@ -1,4 +1,4 @@
-#include "libvehicle/study/column_statistic.h"
+#include "libvehicle/study/evaluate/column_statistic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/study/steady_statistic.h"
+#include "libvehicle/study/evaluate/steady_statistic.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle {

@@ -1,4 +1,4 @@
-#include "libvehicle/study/design_list.h"
+#include "libvehicle/study/plan/design_list.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "libvehicle/study/design_plan.h"
+#include "libvehicle/study/plan/design_plan.h"
 
 #include <cmath>
 #include <map>

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "libvehicle/study/evaluation.h"
+#include "libvehicle/study/evaluate/evaluation.h"
 
 namespace vehicle::test {
 

@@ -1,4 +1,4 @@
-#include "libvehicle/study/executor.h"
+#include "libvehicle/study/execute/executor.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/study/work_pool.h"
+#include "libvehicle/study/execute/work_pool.h"
 #include "tests/study/evaluators.h"
 
 namespace vehicle {

@@ -1,4 +1,4 @@
-#include "libvehicle/study/flat_designs.h"
+#include "libvehicle/study/evaluate/flat_designs.h"
 
 #include <cstring>
 #include <random>

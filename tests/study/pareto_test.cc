@@ -1,4 +1,4 @@
-#include "libvehicle/study/pareto.h"
+#include "libvehicle/study/compare/pareto.h"
 
 #include <algorithm>
 #include <cmath>

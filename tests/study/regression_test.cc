@@ -1,4 +1,4 @@
-#include "libvehicle/study/regression.h"
+#include "libvehicle/study/compare/regression.h"
 
 #include <cmath>
 #include <random>

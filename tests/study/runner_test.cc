@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/study/sensitivity.h"
+#include "libvehicle/study/compare/sensitivity.h"
 #include "tests/study/evaluators.h"
 #include "tests/study/inputs.h"
 #include "tests/support/test_folder.h"

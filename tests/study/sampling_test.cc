@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <boost/random/sobol.hpp>
 
-#include "libvehicle/study/counted_random.h"
-#include "libvehicle/study/keyed_permutation.h"
-#include "libvehicle/study/latin_hypercube.h"
-#include "libvehicle/study/sobol_sequence.h"
+#include "libvehicle/study/plan/counted_random.h"
+#include "libvehicle/study/plan/keyed_permutation.h"
+#include "libvehicle/study/plan/latin_hypercube.h"
+#include "libvehicle/study/plan/sobol_sequence.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle {

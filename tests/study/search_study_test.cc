@@ -1,4 +1,4 @@
-#include "libvehicle/study/search_study.h"
+#include "libvehicle/study/search/search_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/study/pareto.h"
-#include "libvehicle/study/verdict.h"
+#include "libvehicle/study/compare/pareto.h"
+#include "libvehicle/study/compare/verdict.h"
 #include "tests/study/inputs.h"
 #include "tests/support/test_folder.h"
 

@@ -1,4 +1,4 @@
-#include "libvehicle/study/search.h"
+#include "libvehicle/study/search/search.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/study/pareto.h"
+#include "libvehicle/study/compare/pareto.h"
 
 namespace vehicle {
 namespace {

@@ -1,4 +1,4 @@
-#include "libvehicle/study/sensitivity.h"
+#include "libvehicle/study/compare/sensitivity.h"
 
 #include <cmath>
 #include <functional>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/study/sobol_sequence.h"
+#include "libvehicle/study/plan/sobol_sequence.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libvehicle/definition/bound_study.h"
-#include "libvehicle/study/design_plan.h"
+#include "libvehicle/study/plan/design_plan.h"
 #include "tests/support/vehicles.h"
 
 // Studies of the paper's vehicle on a track of two waves, built by hand.

@@ -1,4 +1,4 @@
-#include "libvehicle/study/study_evaluator.h"
+#include "libvehicle/study/evaluate/study_evaluator.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/simulate/simulate.h"
-#include "libvehicle/study/column_statistic.h"
+#include "libvehicle/study/evaluate/column_statistic.h"
 #include "tests/study/inputs.h"
 #include "tests/support/tolerance.h"
 

@@ -1,4 +1,4 @@
-#include "libvehicle/study/verdict.h"
+#include "libvehicle/study/compare/verdict.h"
 
 #include <gtest/gtest.h>
 

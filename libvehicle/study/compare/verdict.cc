@@ -1,0 +1,54 @@
+#include "libvehicle/study/compare/verdict.h"
+
+#include <algorithm>
+
+namespace vehicle {
+
+Verdict::Verdict(const BoundStudy& study)
+    : objectives_(study.objectives), limits_(study.limits), columns_(study.metrics.size()) {
+  const std::vector<MetricColumn> columns = metricColumns(study);
+  for (std::size_t i = 0; i < columns.size(); ++i) columns_[columns[i].metric].push_back(i);
+}
+
+std::vector<double> Verdict::objectives(std::span<const double> metrics) const {
+  std::vector<double> values;
+  for (const BoundObjective& objective : objectives_) {
+    const std::vector<std::size_t>& columns = columns_[objective.metric];
+    double value = metrics[columns.front()];
+    double sum = 0.0;
+    for (const std::size_t column : columns) {
+      sum += metrics[column];
+      value = objective.goal == Goal::kMinimise ? std::max(value, metrics[column]) : std::min(value, metrics[column]);
+    }
+    values.push_back(objective.over == Over::kMean ? sum / static_cast<double>(columns.size()) : value);
+  }
+  return values;
+}
+
+std::vector<double> Verdict::toMinimise(std::span<const double> metrics) const {
+  std::vector<double> values = objectives(metrics);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (objectives_[i].goal == Goal::kMaximise) values[i] = -values[i];
+  }
+  return values;
+}
+
+std::vector<double> Verdict::violations(std::span<const double> metrics) const {
+  std::vector<double> all;
+  for (const BoundLimit& limit : limits_) {
+    double worst = 0.0;
+    for (const std::size_t column : columns_[limit.metric]) {
+      if (limit.below) worst = std::max(worst, metrics[column] - *limit.below);
+      if (limit.above) worst = std::max(worst, *limit.above - metrics[column]);
+    }
+    all.push_back(worst);
+  }
+  return all;
+}
+
+bool Verdict::keepsLimits(std::span<const double> metrics) const {
+  const std::vector<double> all = violations(metrics);
+  return std::all_of(all.begin(), all.end(), [](double each) { return each == 0.0; });
+}
+
+}  // namespace vehicle

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vehicle {
+
+// The seam between who evaluates designs and who shares them out: a pure function from consecutive design numbers to
+// rows of numbers. A row depends on its design alone, never on batch, thread or rank, so a table has the same bits
+// however the work was cut.
+
+/// Consecutive design numbers first .. end-1.
+struct DesignSpan {
+  std::int64_t first = 0;
+  std::int64_t end = 0;
+  [[nodiscard]] std::int64_t size() const { return end - first; }
+  bool operator==(const DesignSpan&) const = default;
+};
+
+/// Why a design has no results.
+struct DesignFailure {
+  std::int64_t design = 0;
+  std::string message;
+  bool operator==(const DesignFailure&) const = default;
+};
+
+/// Results of a range. Storage is kept from batch to batch.
+struct Batch {
+  DesignSpan range;
+  std::vector<double> values;           // (designs x columns), row-major; NaN where there is none
+  std::vector<DesignFailure> failures;  // ascending
+
+  /// Empties it for a new range: all values NaN, no failures.
+  void reset(DesignSpan designs, std::size_t columns);
+  /// Row of a design of the range.
+  [[nodiscard]] std::span<double> row(std::int64_t design, std::size_t columns) {
+    return {values.data() + static_cast<std::size_t>(design - range.first) * columns, columns};
+  }
+};
+
+/// What is evaluated in one call.
+struct Task {
+  DesignSpan range;
+  /// (designs x given), row-major: numbers that do not follow from a design's own number, as an optimiser chooses
+  /// them; empty where a plan tells everything.
+  std::span<const double> given;
+};
+
+/// Evaluates designs on one thread: owns its workspace, is never called concurrently.
+class Worker {
+ public:
+  virtual ~Worker() = default;
+
+  /// Fills batch.values and batch.failures for the task's designs; the batch comes reset. What is wrong with one
+  /// design becomes its failure.
+  /// @throws whatever ends the whole study (memory, a mistake of ours)
+  virtual void evaluate(const Task& task, Batch& batch) = 0;
+};
+
+/// What is to be known of every design. Const: one serves all threads; each asks for its worker on itself.
+class Evaluator {
+ public:
+  virtual ~Evaluator() = default;
+  [[nodiscard]] virtual std::size_t columns() const = 0;         // numbers in a row
+  [[nodiscard]] virtual std::size_t given() const { return 0; }  // numbers of a design that a task has to tell
+  [[nodiscard]] virtual std::int64_t batchSize() const = 0;      // designs that are best evaluated in one call, >= 1
+  [[nodiscard]] virtual std::unique_ptr<Worker> worker() const = 0;
+};
+
+}  // namespace vehicle

@@ -1,0 +1,138 @@
+#include "libvehicle/study/evaluate/flat_designs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vehicle {
+
+namespace {
+
+/// Index of the part that differs between two lists of equal length.
+template <class Part>
+std::optional<std::size_t> changed(const std::vector<Part>& before, const std::vector<Part>& after) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!(before[i] == after[i])) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+FlatDesigns::FlatDesigns(const StudyInputs& inputs)
+    : inputs_(inputs),
+      vehicle_(inputs.vehicle),
+      scenarios_(inputs.scenarios),
+      topology_(topologyOf(inputs.vehicle)),
+      layout_(readLayout(inputs.vehicle, topology_).layout) {
+  for (const StudyParameter& each : inputs.bound.parameters) {
+    if (!each.in_vehicle) {
+      targets_.emplace_back();
+      continue;
+    }
+    targets_.push_back(targetOf(each));
+    direct_ = direct_ && targets_.back();
+  }
+}
+
+std::optional<std::string> FlatDesigns::set(std::span<const double> values) {
+  if (!direct_ || always_long_) return setLong(values);
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (targets_[i] && !isAllowed(*targets_[i], values[i])) return setLong(values);
+  }
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (targets_[i]) write(*targets_[i], values[i]);
+  }
+  return std::nullopt;
+}
+
+// Which number of which part a parameter is shows when it is written: no second table of names is needed.
+std::optional<FlatDesigns::Target> FlatDesigns::targetOf(const StudyParameter& parameter) const {
+  const Vehicle& base = inputs_.vehicle;
+  if (!parameter.in_vehicle->valueIn(base)) return std::nullopt;  // whether it is given at all matters elsewhere
+  const double other = 2.0 * parameter.base + 1.0;
+  Vehicle probe = base;
+  parameter.in_vehicle->setIn(probe, other);
+  Target target;
+  if (const auto i = changed(base.elements, probe.elements)) {
+    target.number =
+        base.elements[*i].stiffness_z != probe.elements[*i].stiffness_z ? Number::kStiffness : Number::kDamping;
+    target.part = *i;
+    for (std::size_t s = 0; s < base.suspensions.size(); ++s) {
+      if (base.suspensions[s].element == base.elements[*i].name) target.spring.push_back(s);
+    }
+    return target;
+  }
+  if (const auto i = changed(base.bodies, probe.bodies)) {
+    target.part = *i;
+    if (base.bodies[*i].mass != probe.bodies[*i].mass) return target;
+    target.number = Number::kInertia;
+    if (base.bodies[*i].pitch_inertia != probe.bodies[*i].pitch_inertia) return target;
+  }
+  if (const auto i = changed(base.wheelsets, probe.wheelsets)) {
+    target.part = *i;
+    target.number = Number::kWheelsetMass;
+    if (base.wheelsets[*i].mass != probe.wheelsets[*i].mass) return target;
+    target.number = Number::kWheelsetLoad;
+    if (base.wheelsets[*i].load != probe.wheelsets[*i].load) return target;
+  }
+  if (const auto i = changed(base.suspensions, probe.suspensions)) {
+    target.part = *i;
+    target.number = Number::kPreload;
+    if (base.suspensions[*i].preload != probe.suspensions[*i].preload) return target;
+  }
+  return std::nullopt;  // places and heights
+}
+
+// At least as strict as check(vehicle): what is not allowed here takes the long way and is judged there.
+bool FlatDesigns::isAllowed(const Target& target, double value) const {
+  if (!std::isfinite(value)) return false;
+  switch (target.number) {
+    case Number::kStiffness:
+    case Number::kDamping:
+      return value >= 0.0;
+    case Number::kPreload:
+      return true;
+    default:
+      return value > 0.0;
+  }
+}
+
+void FlatDesigns::write(const Target& target, double value) {
+  const auto sides = [this](std::size_t suspension) { return inputs_.vehicle.suspensions[suspension].sides; };
+  switch (target.number) {
+    case Number::kStiffness:
+      for (const std::size_t each : target.spring) topology_.suspensions[each].stiffness = sides(each) * value;
+      break;
+    case Number::kDamping:
+      for (const std::size_t each : target.spring) topology_.suspensions[each].damping = sides(each) * value;
+      break;
+    case Number::kMass:
+      topology_.bodies[target.part].mass = value;
+      break;
+    case Number::kInertia:
+      topology_.bodies[target.part].pitch_inertia = value;
+      break;
+    case Number::kWheelsetMass:
+      topology_.wheelsets[target.part].mass = value;
+      break;
+    case Number::kWheelsetLoad:
+      topology_.wheelsets[target.part].load = value;
+      break;
+    case Number::kPreload:
+      topology_.suspensions[target.part].preload = value;
+      break;
+  }
+}
+
+std::optional<std::string> FlatDesigns::setLong(std::span<const double> values) {
+  apply(inputs_.bound, values, vehicle_, scenarios_);
+  if (const ProblemList problems = check(vehicle_); !problems.empty()) return firstProblem(problems);
+  topology_ = topologyOf(vehicle_);
+  FlatReading reading = readLayout(vehicle_, topology_);
+  if (!reading.problems.empty()) return firstProblem(reading.problems);
+  layout_ = reading.layout;
+  return std::nullopt;
+}
+
+}  // namespace vehicle

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libvehicle/study/evaluate/evaluation.h"
+#include "libvehicle/study/study_inputs.h"
+
+namespace vehicle {
+
+/// Designs on their way through a path: a row begins with the parameters and gets the metrics after them.
+class DesignRows {
+ public:
+  DesignRows(Batch& batch, std::size_t parameters, std::size_t metrics)
+      : batch_(batch),
+        parameters_(parameters),
+        metrics_(metrics),
+        problems_(static_cast<std::size_t>(batch.range.size())) {}
+
+  [[nodiscard]] std::size_t size() const { return problems_.size(); }
+  [[nodiscard]] std::span<double> parameters(std::size_t design) { return row(design).first(parameters_); }
+  [[nodiscard]] double& metric(std::size_t design, std::size_t metric) { return row(design)[parameters_ + metric]; }
+  [[nodiscard]] std::span<double> metrics(std::size_t design) { return row(design).subspan(parameters_); }
+
+  /// The first thing that went wrong with a design is the one that is told.
+  void fail(std::size_t design, std::string why) {
+    if (problems_[design].empty()) problems_[design] = why.empty() ? "failed" : std::move(why);
+  }
+  [[nodiscard]] bool failed(std::size_t design) const { return !problems_[design].empty(); }
+  [[nodiscard]] const std::string& problem(std::size_t design) const { return problems_[design]; }
+
+ private:
+  [[nodiscard]] std::span<double> row(std::size_t design) {
+    const std::size_t columns = parameters_ + metrics_;
+    return {batch_.values.data() + design * columns, columns};
+  }
+
+  Batch& batch_;
+  std::size_t parameters_;
+  std::size_t metrics_;
+  std::vector<std::string> problems_;  // (designs) empty where nothing is wrong
+};
+
+/// A column of a case that some metrics ask for, and where their values go.
+struct ColumnRequest {
+  std::string column;  // "carbody.az"
+  struct Entry {
+    Metric metric;
+    std::size_t place = 0;  // among the metrics of a row
+  };
+  std::vector<Entry> entries;
+};
+
+/// What a case is asked for; every column once.
+[[nodiscard]] std::vector<ColumnRequest> requestsOf(const BoundStudy& bound, std::size_t study_case);
+
+/// One way to the metrics of result columns. One object a thread.
+class Path {
+ public:
+  virtual ~Path() = default;
+  /// Fills the metrics of columns, all cases; designs that are wrong are failed in the rows.
+  virtual void evaluate(DesignRows& rows) = 0;
+};
+
+/// How a study is evaluated, chosen once.
+struct PathChoice {
+  enum class Kind {
+    kSteadyEnsemble,  // flat form, closed form, one design a SIMD lane
+    kEnsembleRuns,    // flat form, RK4, one design a SIMD lane
+    kSteadySingle,    // matrix form, closed form, design by design
+    kSingleRuns,      // simulate(), design by design
+  };
+  Kind kind = Kind::kSingleRuns;
+  std::string why_not_flat;  // empty where the flat form is taken
+  std::string text;          // a sentence for the user
+};
+
+/// @throws InvalidInput  if no path can do what is asked (a steady state over a dip)
+[[nodiscard]] PathChoice choosePath(const StudyInputs& inputs);
+
+/// @param inputs  outlives the path
+[[nodiscard]] std::unique_ptr<Path> makePath(const StudyInputs& inputs, PathChoice::Kind kind);
+
+/// Scenario of a steady state: the rail has always been there.
+[[nodiscard]] Scenario steadyScenario(Scenario scenario);
+
+// The four of them, each in its file.
+[[nodiscard]] std::unique_ptr<Path> makeSteadyEnsemblePath(const StudyInputs& inputs);
+[[nodiscard]] std::unique_ptr<Path> makeEnsembleRunPath(const StudyInputs& inputs);
+[[nodiscard]] std::unique_ptr<Path> makeSteadySinglePath(const StudyInputs& inputs);
+[[nodiscard]] std::unique_ptr<Path> makeSingleRunPath(const StudyInputs& inputs);
+
+}  // namespace vehicle

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "libvehicle/study/evaluate/path.h"
+
+namespace vehicle {
+
+/// Metrics that know neither speed nor rail: natural modes, and what stands at rest, both under the gravity of the
+/// first scenario. Modes are those of the form that simulate() would take; a nonlinear vehicle's are linearised about
+/// rest.
+class RestAndModes {
+ public:
+  explicit RestAndModes(const StudyInputs& inputs);
+
+  /// Fills their metrics; designs that have none are failed in the rows.
+  void evaluate(DesignRows& rows);
+
+ private:
+  struct Entry {
+    Metric metric;
+    std::size_t place = 0;  // among the metrics of a row
+  };
+  void evaluateRest(std::size_t row, double gravity, DesignRows& rows) const;
+  void evaluateModes(std::size_t row, double gravity, DesignRows& rows) const;
+
+  const StudyInputs& inputs_;
+  Vehicle vehicle_;
+  std::vector<Scenario> scenarios_;
+  std::vector<Entry> rest_;
+  std::vector<Entry> modes_;
+};
+
+}  // namespace vehicle

@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "libvehicle/ensemble/steady.h"
+#include "libvehicle/study/evaluate/flat_block.h"
+#include "libvehicle/study/evaluate/path.h"
+#include "libvehicle/study/evaluate/steady_statistic.h"
+#include "libvehicle/study/evaluate/summary_statistic.h"
+
+// The steady state of the flat form under harmonics, many designs at once.
+namespace vehicle {
+
+namespace {
+
+bool needsPeaks(Statistic statistic) {
+  return statistic == Statistic::kPeak || statistic == Statistic::kMin || statistic == Statistic::kMax;
+}
+
+class SteadyEnsemblePath final : public Path {
+ public:
+  explicit SteadyEnsemblePath(const StudyInputs& inputs) : inputs_(inputs), block_(inputs, true) {
+    for (std::size_t c = 0; c < inputs.bound.cases.size(); ++c) requests_.push_back(requestsOf(inputs.bound, c));
+    // Every case is asked for the same columns: one run serves all.
+    for (const ColumnRequest& request : requests_.front()) {
+      run_.columns.push_back(block_.column(request.column));
+      for (const ColumnRequest::Entry& entry : request.entries) {
+        if (needsPeaks(entry.metric.statistic)) run_.peaks = SteadyPeaks::kSampled;
+        if (!comesFromSummary(entry.metric.statistic)) run_.amplitudes = SteadyAmplitudes::kKept;
+      }
+    }
+  }
+
+  void evaluate(DesignRows& rows) override {
+    if (run_.columns.empty()) return;
+    block_.prepare(rows);
+    if (block_.alive().empty()) return;
+    if (block_.railsAreShared()) {
+      evaluateShared(rows);
+    } else {
+      for (std::size_t c = 0; c < requests_.size(); ++c) evaluateEach(c, rows);
+    }
+  }
+
+ private:
+  void evaluateShared(DesignRows& rows) {
+    for (std::size_t group = 0; group < block_.groups(); ++group) {
+      std::vector<std::size_t> cases;
+      std::vector<const InputSegment*> rails;
+      for (std::size_t c = 0; c < requests_.size(); ++c) {
+        if (block_.groupOf(c) != group) continue;
+        cases.push_back(c);
+        rails.push_back(&block_.rail(c).segment(0));
+      }
+      const SteadyResult result = steadyEnsemble(block_.designs(group), rails, run_);
+      const std::size_t designs = block_.alive().size();
+      for (const SteadyFailure& each : result.failures) {
+        fail(cases[static_cast<std::size_t>(each.rail)], static_cast<std::size_t>(each.design), rows);
+      }
+      for (std::size_t r = 0; r < cases.size(); ++r) {
+        for (std::size_t i = 0; i < designs; ++i) {
+          const Answer answer{result.summaries.data() + (r * designs + i) * run_.columns.size(),
+                              amplitudesOf(result, r, i, *rails[r]), *rails[r]};
+          write(cases[r], i, answer, rows);
+        }
+      }
+    }
+  }
+
+  void evaluateEach(std::size_t study_case, DesignRows& rows) {
+    const std::size_t designs = block_.alive().size();
+    try {
+      evaluateSome(study_case, 0, designs, rows);
+    } catch (const std::invalid_argument&) {
+      // A rail without common period, or with a harmonic less, is the matter of its own design.
+      for (std::size_t i = 0; i < designs; ++i) {
+        try {
+          evaluateSome(study_case, i, 1, rows);
+        } catch (const std::invalid_argument& error) {
+          rows.fail(block_.alive()[i], error.what());
+        }
+      }
+    }
+  }
+
+  void evaluateSome(std::size_t study_case, std::size_t first, std::size_t count, DesignRows& rows) {
+    std::vector<const InputSegment*> rails;
+    for (std::size_t i = first; i < first + count; ++i) rails.push_back(&block_.rails(study_case)[i].segment(0));
+    const std::vector<EnsembleDesign>& all = block_.designs(block_.groupOf(study_case));
+    const SteadyResult result = steadyEnsembleEach(std::span(all).subspan(first, count), rails, run_);
+    for (const SteadyFailure& each : result.failures) {
+      fail(study_case, first + static_cast<std::size_t>(each.design), rows);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Answer answer{result.summaries.data() + i * run_.columns.size(), amplitudesOf(result, 0, i, *rails[i]),
+                          *rails[i]};
+      write(study_case, first + i, answer, rows);
+    }
+  }
+
+  void fail(std::size_t study_case, std::size_t place, DesignRows& rows) const {
+    const std::string& label = inputs_.bound.cases[study_case].label;
+    rows.fail(block_.alive()[place], "has no steady state" + (label.empty() ? label : " at " + label) +
+                                         ": a harmonic meets an undamped mode, or nothing holds a motion");
+  }
+
+  /// What came out for one design on one rail.
+  struct Answer {
+    const ColumnSummary* summaries;          // (columns)
+    const std::complex<double>* amplitudes;  // (columns x harmonics) or null
+    const InputSegment& rail;
+  };
+
+  [[nodiscard]] const std::complex<double>* amplitudesOf(const SteadyResult& result, std::size_t rail,
+                                                         std::size_t design, const InputSegment& segment) const {
+    if (run_.amplitudes == SteadyAmplitudes::kDropped) return nullptr;
+    return result.amplitudes[rail].data() + design * run_.columns.size() * segment.angular_frequency.size();
+  }
+
+  void write(std::size_t study_case, std::size_t place, const Answer& answer, DesignRows& rows) {
+    const std::size_t row = block_.alive()[place];
+    if (rows.failed(row)) return;
+    const std::size_t harmonics = answer.rail.angular_frequency.size();
+    for (std::size_t k = 0; k < run_.columns.size(); ++k) {
+      for (const ColumnRequest::Entry& entry : requests_[study_case][k].entries) {
+        double& value = rows.metric(row, entry.place);
+        if (comesFromSummary(entry.metric.statistic)) {
+          value = fromSummary(entry.metric.statistic, answer.summaries[k]);
+          continue;
+        }
+        try {
+          value = statisticOf(answer.rail)(entry.metric, answer.summaries[k].mean,
+                                           {answer.amplitudes + k * harmonics, harmonics});
+        } catch (const std::domain_error& error) {
+          rows.fail(row, error.what());
+          return;
+        }
+      }
+    }
+  }
+
+  SteadyStatistic& statisticOf(const InputSegment& segment) {
+    const std::vector<double>& key = segment.angular_frequency;
+    if (!block_.railsAreShared() && statistics_.size() > 64) statistics_.clear();
+    const auto found = statistics_.find(key);
+    return found != statistics_.end() ? found->second : statistics_.try_emplace(key, key).first->second;
+  }
+
+  const StudyInputs& inputs_;
+  FlatBlock block_;
+  SteadyRun run_;
+  std::vector<std::vector<ColumnRequest>> requests_;           // (cases)
+  std::map<std::vector<double>, SteadyStatistic> statistics_;  // by frequencies
+};
+
+}  // namespace
+
+std::unique_ptr<Path> makeSteadyEnsemblePath(const StudyInputs& inputs) {
+  return std::make_unique<SteadyEnsemblePath>(inputs);
+}
+
+}  // namespace vehicle

@@ -1,0 +1,104 @@
+#include "libvehicle/study/evaluate/steady_statistic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "libvehicle/ensemble/steady.h"
+#include "libvehicle/study/evaluate/column_statistic.h"
+
+namespace vehicle {
+
+namespace {
+
+constexpr int kSamplesOfHighestOrder = 64;
+constexpr int kFewestSamples = 4096;  // percentiles are as fine as the samples
+
+}  // namespace
+
+SteadyStatistic::SteadyStatistic(std::span<const double> angular_frequency)
+    : angular_frequency_(angular_frequency.begin(), angular_frequency.end()) {
+  const std::optional<std::vector<int>> orders = harmonicOrders(angular_frequency);
+  if (!orders) return;
+  const int highest = orders->empty() ? 1 : *std::max_element(orders->begin(), orders->end());
+  const int samples = std::max(kFewestSamples, kSamplesOfHighestOrder * highest);
+  values_.resize(static_cast<std::size_t>(samples));
+  for (int n = 0; n < samples; ++n) {
+    for (const int order : *orders) {
+      const double turn = static_cast<double>((static_cast<long>(order) * n) % samples) / samples;
+      circle_.push_back(std::cos(2.0 * std::numbers::pi * turn));
+      circle_.push_back(std::sin(2.0 * std::numbers::pi * turn));
+    }
+  }
+}
+
+double SteadyStatistic::operator()(const Metric& metric, double mean,
+                                   std::span<const std::complex<double>> amplitudes) {
+  double sum = 0.0;
+  switch (metric.statistic) {
+    case Statistic::kMean:
+      return mean;
+    case Statistic::kRms:
+      for (const auto& each : amplitudes) sum += 0.5 * std::norm(each);
+      return std::sqrt(mean * mean + sum);
+    case Statistic::kBand:
+      if (metric.low == 0.0) sum = mean * mean;
+      for (std::size_t f = 0; f < amplitudes.size(); ++f) {
+        const double frequency = angular_frequency_[f] / (2.0 * std::numbers::pi);
+        if (frequency >= metric.low && frequency < metric.high) sum += 0.5 * std::norm(amplitudes[f]);
+      }
+      return std::sqrt(sum);
+    default:
+      break;
+  }
+  sample(mean, amplitudes);
+  switch (metric.statistic) {
+    case Statistic::kMax:
+      return highest(1.0);
+    case Statistic::kMin:
+      return -highest(-1.0);
+    case Statistic::kPeak:
+      return std::max(highest(1.0), highest(-1.0));
+    case Statistic::kAbsolutePercentile:
+      for (double& each : values_) each = std::abs(each);
+      [[fallthrough]];
+    default:
+      return percentileOf(values_, metric.percent / 100.0);
+  }
+}
+
+void SteadyStatistic::sample(double mean, std::span<const std::complex<double>> amplitudes) {
+  if (values_.empty()) {
+    throw std::domain_error("the " + std::to_string(angular_frequency_.size()) +
+                            " harmonics have no common period, so extremes and percentiles have no closed form; leave "
+                            "evaluation=\"steady_state\" out");
+  }
+  const double* circle = circle_.data();
+  for (double& value : values_) {
+    value = mean;
+    for (const auto& each : amplitudes) {
+      value += each.real() * circle[0] - each.imag() * circle[1];
+      circle += 2;
+    }
+  }
+}
+
+// Largest sign x, by the parabola through the largest sample and its neighbours.
+double SteadyStatistic::highest(double sign) const {
+  const std::size_t n = values_.size();
+  const auto top = static_cast<std::size_t>(
+      std::max_element(values_.begin(), values_.end(), [sign](double a, double b) { return sign * a < sign * b; }) -
+      values_.begin());
+  const double here = sign * values_[top];
+  const double before = sign * values_[(top + n - 1) % n];
+  const double after = sign * values_[(top + 1) % n];
+  const double bend = before - 2.0 * here + after;
+  if (!(bend < 0.0)) return here;
+  const double slope = 0.5 * (after - before);
+  return here - 0.5 * slope * slope / bend;
+}
+
+}  // namespace vehicle

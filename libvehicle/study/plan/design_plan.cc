@@ -1,0 +1,161 @@
+#include "libvehicle/study/plan/design_plan.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace vehicle {
+
+namespace {
+
+constexpr std::uint64_t kMostDesigns = 1'000'000'000;
+
+void tell(ProblemList& problems, const Place& place, std::string element, std::string message, std::string remedy) {
+  Problem problem;
+  problem.place = place;
+  problem.element = std::move(element);
+  problem.message = std::move(message);
+  problem.remedy = std::move(remedy);
+  problems.add(std::move(problem));
+}
+
+/// What a named design sets and a list gives too: the list would undo it.
+void checkListed(const Study& study, const BoundStudy& bound, const DesignList& list, ProblemList& problems) {
+  for (std::size_t named = 1; named < bound.designs.size(); ++named) {
+    for (const auto& [parameter, value] : bound.designs[named].sets) {
+      if (std::find(list.parameters.begin(), list.parameters.end(), parameter) == list.parameters.end()) continue;
+      tell(problems, study.designs[named - 1].origin, "<study><design>",
+           fmt::format("sets {}, which the list of designs gives too", bound.parameters[parameter].address),
+           "leave it out of one of them");
+    }
+  }
+}
+
+}  // namespace
+
+Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignList list) {
+  Outcome<DesignPlan> outcome;
+  DesignPlan made;
+  const Plan plan = study.plan.value_or(Plan{});
+  const Place& place = study.plan ? study.plan->origin : study.origin;
+  const std::size_t factors = bound.factors.size();
+  const auto size = static_cast<std::uint64_t>(plan.size.value_or(0));
+  const auto seed = static_cast<std::uint64_t>(plan.seed);
+  if (study.search || (factors == 0 && plan.kind != PlanKind::kList)) {
+    made.points_ = 0;
+  } else if (plan.kind == PlanKind::kGrid) {
+    made.points_ = 1;
+    for (const Factor& factor : bound.factors) {
+      // Stopping at the limit keeps the product from overflowing.
+      made.points_ = std::min<std::uint64_t>(made.points_ * factor.levels.size(), kMostDesigns + 1);
+    }
+  } else if (plan.kind == PlanKind::kLatinHypercube) {
+    made.points_ = size;
+    made.plan_.emplace<LatinHypercube>(size, factors, seed);
+  } else if (plan.kind == PlanKind::kList) {
+    checkListed(study, bound, list, outcome.problems);
+    made.points_ = list.rows();
+    made.plan_ = std::move(list);
+  } else {
+    const bool saltelli = plan.kind == PlanKind::kSaltelli;
+    const std::size_t dimensions = saltelli ? 2 * factors : factors;
+    made.points_ = saltelli ? size * (factors + 2) : size;
+    if (dimensions > SobolSequence::kMostDimensions) {
+      tell(outcome.problems, place, "<study><plan>", fmt::format("varies {} parameters", factors),
+           fmt::format("a Sobol sequence has at most {} dimensions{}", SobolSequence::kMostDimensions,
+                       saltelli ? ", saltelli takes two a parameter" : ""));
+      return outcome;
+    }
+    SobolSequence sequence(dimensions, seed);
+    if (saltelli) {
+      made.plan_ = Saltelli{std::move(sequence)};
+    } else {
+      made.plan_ = std::move(sequence);
+    }
+  }
+  made.study_ = std::move(bound);
+  if (made.size() > kMostDesigns) {
+    tell(outcome.problems, place, "<study><plan>", "makes more than 1000000000 designs",
+         "take fewer steps, or let latin_hypercube or sobol choose among them");
+  }
+  if (outcome.problems.empty()) outcome.value = std::move(made);
+  return outcome;
+}
+
+std::uint64_t DesignPlan::size() const {
+  const std::uint64_t named = study_.designs.size();
+  return named + named * points_;
+}
+
+DesignIdentity DesignPlan::identityOf(std::uint64_t design) const {
+  if (design >= size()) {
+    throw std::invalid_argument(fmt::format("DesignPlan: design {} of a study of {}", design, size()));
+  }
+  const std::uint64_t named = study_.designs.size();
+  if (design < named) return {static_cast<std::size_t>(design), std::nullopt};
+  return {static_cast<std::size_t>((design - named) / points_), (design - named) % points_};
+}
+
+std::string DesignPlan::nameOf(std::uint64_t design) const {
+  const DesignIdentity identity = identityOf(design);
+  const std::string& named = study_.designs[identity.named].name;
+  if (!identity.point) return named;
+  return identity.named == 0 ? fmt::format("#{}", *identity.point) : fmt::format("{} #{}", named, *identity.point);
+}
+
+void DesignPlan::setNamed(std::size_t named, std::span<double> values) const {
+  for (std::size_t i = 0; i < study_.parameters.size(); ++i) values[i] = study_.parameters[i].base;
+  for (const auto& [parameter, value] : study_.designs[named].sets) values[parameter] = value;
+}
+
+void DesignPlan::setFactor(std::size_t factor, double value, std::span<double> values) const {
+  const Factor& own = study_.factors[factor];
+  for (const std::size_t parameter : own.parameters) {
+    values[parameter] = own.kind == Variation::kRelative ? values[parameter] * value : value;
+  }
+}
+
+void DesignPlan::valuesOf(std::uint64_t design, std::span<double> values) const {
+  const DesignIdentity identity = identityOf(design);
+  setNamed(identity.named, values);
+  if (identity.point) setPoint(*identity.point, values);
+}
+
+void DesignPlan::valuesAt(std::size_t named, std::span<const double> unit, std::span<double> values) const {
+  setNamed(named, values);
+  for (std::size_t i = 0; i < study_.factors.size(); ++i) setFactor(i, valueAt(study_.factors[i], unit[i]), values);
+}
+
+void DesignPlan::setPoint(std::uint64_t point, std::span<double> values) const {
+  const std::size_t factors = study_.factors.size();
+  if (std::holds_alternative<Grid>(plan_)) {
+    for (std::size_t i = factors; i-- > 0;) {
+      const std::vector<double>& levels = study_.factors[i].levels;
+      setFactor(i, levels[point % levels.size()], values);
+      point /= levels.size();
+    }
+    return;
+  }
+  if (const auto* list = std::get_if<DesignList>(&plan_)) {
+    const std::size_t columns = list->parameters.size();
+    for (std::size_t i = 0; i < columns; ++i) values[list->parameters[i]] = list->values[point * columns + i];
+    return;
+  }
+  std::vector<double> unit(factors);
+  if (const auto* hypercube = std::get_if<LatinHypercube>(&plan_)) {
+    hypercube->point(point, unit);
+  } else if (const auto* sequence = std::get_if<SobolSequence>(&plan_)) {
+    sequence->point(point, unit);
+  } else {
+    // Block A is the first half of the coordinates, B the second; AB_i is A with coordinate i of B.
+    const std::uint64_t member = point % (factors + 2);
+    std::vector<double> both(2 * factors);
+    std::get<Saltelli>(plan_).sequence.point(point / (factors + 2), both);
+    for (std::size_t i = 0; i < factors; ++i) unit[i] = both[member == 1 || member == i + 2 ? factors + i : i];
+  }
+  for (std::size_t i = 0; i < factors; ++i) setFactor(i, valueAt(study_.factors[i], unit[i]), values);
+}
+
+}  // namespace vehicle

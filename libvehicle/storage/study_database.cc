@@ -159,6 +159,17 @@ void requireFile(const fs::path& path) {
   throw RunFailed(fmt::format("{}: cannot be opened: {}", path.string(), why));
 }
 
+/// SQLite would play the log of a study that has been removed into the next one of its name.
+void removeLogsOf(const fs::path& path) {
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    fs::path log = path;
+    log += ending;
+    std::error_code error;
+    fs::remove(log, error);
+    if (error) throw RunFailed(fmt::format("{}: cannot be removed: {}", log.string(), error.message()));
+  }
+}
+
 /// Builds the file under another name, so that it is there at once and whole.
 void writeNewFile(const fs::path& path, const StudyRecord& record) {
   const std::string shown = path.string();
@@ -178,6 +189,12 @@ void writeNewFile(const fs::path& path, const StudyRecord& record) {
     fs::remove(temporary, ignored);
     throw RunFailed(fmt::format("{}: cannot be written: {}; its folder must exist, be writable and have room", shown,
                                 error.reason));
+  } catch (...) {
+    fs::remove(temporary, ignored);
+    throw;
+  }
+  try {
+    removeLogsOf(path);
   } catch (...) {
     fs::remove(temporary, ignored);
     throw;
@@ -244,7 +261,9 @@ StudyDatabase StudyDatabase::read(const fs::path& path) {
   auto open = std::make_unique<Open>();
   open->shown = path.string();
   try {
-    open->connection = std::make_unique<SqliteConnection>(path.string(), SQLITE_OPEN_READONLY);
+    // One that may write takes the log and its index away when it closes as the last; a reading one leaves them there.
+    open->connection = std::make_unique<SqliteConnection>(path.string(), SQLITE_OPEN_READWRITE);
+    open->connection->run("PRAGMA query_only=ON");
     sqlite3_busy_timeout(open->connection->get(), kWaitForReaders);
     open->record = recordIn(*open->connection, open->shown);
   } catch (const SqliteError& error) {

@@ -35,7 +35,8 @@ class StudyDatabase {
   /// @throws RunFailed     no file, no study in it, written by another program, or not writable
   [[nodiscard]] static StudyDatabase resume(const std::filesystem::path& path, const StudyRecord& now);
 
-  /// Opens a file to look at it; works in folders that may not be written.
+  /// Opens a file to look at it; works in folders that may not be written. Where they may, what a killed program has
+  /// left in the log is moved into the file.
   /// @throws RunFailed
   [[nodiscard]] static StudyDatabase read(const std::filesystem::path& path);
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -197,6 +198,40 @@ TEST(StudyDatabase, OneProcessWritesWhileOthersRead) {
     EXPECT_THROW(StudyDatabase::read(path).append(batchOf(record, 20, 30)), std::invalid_argument);
   }
   // Closed in order, the study is one file: no log, no lock.
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+// A killed study leaves its log beside the file. Who removes the file alone and begins anew must not get the old
+// designs played into the new table: SQLite does that, whatever the log belongs to.
+TEST(StudyDatabase, TheLogOfARemovedStudyIsNotPlayedIntoTheNextOne) {
+  const TestFolder folder;
+  const std::string path = folder.path("study.sqlite");
+  const std::string log = path + "-wal";
+  {
+    StudyDatabase database = StudyDatabase::create(path, smallStudy());
+    database.append(batchOf(database.record(), 0, 1000));
+    std::filesystem::copy_file(log, folder.path("kept"));
+  }
+  ASSERT_GT(std::filesystem::file_size(folder.path("kept")), 10'000u);
+  std::filesystem::remove(path);
+  std::filesystem::rename(folder.path("kept"), log);
+  StudyRecord other = smallStudy(3);
+  other.metrics.pop_back();
+  StudyDatabase database = StudyDatabase::create(path, other);
+  EXPECT_EQ(database.stored(), 0u);
+  EXPECT_EQ(database.record().metrics, other.metrics);
+  database.append(batchOf(other, 0, 3));
+  EXPECT_EQ(StudyDatabase::read(path).stored(), 3u);
+}
+
+TEST(StudyDatabase, WrittenAndReadItIsOneFileAlone) {
+  const TestFolder folder;
+  const std::string path = folder.path("study.sqlite");
+  {
+    StudyDatabase database = StudyDatabase::create(path, smallStudy(10));
+    database.append(batchOf(database.record(), 0, 10));
+  }
+  EXPECT_EQ(StudyDatabase::read(path).stored(), 10u);
   EXPECT_EQ(folder.entries(), 1u);
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "libvehicle/study/compare/pareto.h"
-#include "libvehicle/study/search/search_study.h"
 #include "libvehicle/study/compare/verdict.h"
+#include "libvehicle/study/search/search_study.h"
 
 namespace vehicle {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "libvehicle/storage/study_database.h"
-#include "libvehicle/study/plan/design_plan.h"
 #include "libvehicle/study/compare/regression.h"
 #include "libvehicle/study/compare/sensitivity.h"
+#include "libvehicle/study/plan/design_plan.h"
 #include "libvehicle/study/study_inputs.h"
 
 namespace vehicle {

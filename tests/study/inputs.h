@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "libvehicle/study/execute/executor.h"
 #include "libvehicle/study/evaluate/study_evaluator.h"
+#include "libvehicle/study/execute/executor.h"
 #include "libvehicle/study/study_inputs.h"
 #include "tests/support/vehicles.h"
 

@@ -19,9 +19,9 @@ using namespace test;
 
 /// Comfort against room: the carbody's acceleration and the secondary's deflection in the steady state.
 StudyInputs comfortAgainstRoom() {
-  Study study = studyOf({range("secondary.stiffness_z", "0.5 MN/m", "4 MN/m"),
-                         range("secondary.damping_z", "20 kN*s/m", "400 kN*s/m")},
-                        {"carbody.az.rms", "secondary_front.deflection.rms"});
+  Study study = studyOf(
+      {range("secondary.stiffness_z", "0.5 MN/m", "4 MN/m"), range("secondary.damping_z", "20 kN*s/m", "400 kN*s/m")},
+      {"carbody.az.rms", "secondary_front.deflection.rms"});
   study.evaluation = Evaluation::kSteadyState;
   study.search.emplace();
   study.search->population = 16;

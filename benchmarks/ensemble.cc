@@ -22,6 +22,7 @@
 #include "benchmarks/paper_case.h"
 #include "libvehicle/ensemble/block_rows.h"
 #include "libvehicle/ensemble/ensemble.h"
+#include "libvehicle/ensemble/spectrum_rail.h"
 #include "libvehicle/ensemble/steady.h"
 
 namespace vehicle::bench {

@@ -17,14 +17,13 @@
 namespace vehicle {
 namespace {
 
-using ensemble::BlockRows;
 using ensemble::Block;
+using ensemble::BlockRows;
 using ensemble::Choice;
 using ensemble::ColumnChoice;
 
-constexpr int kMostDesigns = 2048;                         // laid out at once
-constexpr double kMostStored = 64.0 * 1024.0 * 1024.0;     // [bytes] of histories at once
-constexpr double kSameInstant = 1e-9;                      // of an output step
+constexpr int kMostDesigns = 2048;                      // laid out at once
+constexpr double kMostStored = 64.0 * 1024.0 * 1024.0;  // [bytes] of histories at once
 
 std::string text(double value) {
   std::ostringstream out;
@@ -33,12 +32,11 @@ std::string text(double value) {
   return out.str();
 }
 
-// Number of the first sample that counts.
 int firstCounted(const EnsembleRun& run) {
   if (!(run.settle >= 0.0) || !std::isfinite(run.settle)) {
     throw std::invalid_argument("ensemble: settle = " + text(run.settle) + " s, must be finite and >= 0");
   }
-  return static_cast<int>(std::min(std::ceil(run.settle / run.output_step - kSameInstant), 1e9));
+  return vehicle::firstCounted(run.settle, run.output_step);
 }
 
 void checkRail(const Input& rail, const Schedule& schedule, const EnsembleRun& run) {
@@ -119,7 +117,112 @@ class Storage {
   ensemble::AlignedDoubles values_;
 };
 
+// Designs with a rail each, batch by batch.
+class OwnRails {
+ public:
+  OwnRails(std::span<const EnsembleDesign> designs, std::span<const Input* const> rails, const EnsembleRun& run,
+           const StoredBlockSink& store)
+      : designs_(designs),
+        rails_(rails),
+        run_(run),
+        store_(store),
+        columns_(run.columns),
+        kernels_(ensemble::kernelsOf(run.isa)),
+        first_counted_(firstCounted(run)) {
+    result_.summaries.resize(designs.size() * run.columns.size());
+  }
+
+  EnsembleResult run() {
+    const int total = static_cast<int>(designs_.size());
+    for (int first = 0; first < total;) {
+      plans_.clear();
+      const Batch batch = batchFrom(first, total);
+      runBatch(batch);
+      first += batch.count;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Batch {
+    int first = 0;    // design
+    int count = 0;    // designs
+    int longest = 0;  // samples that count, of the longest run
+  };
+
+  const ensemble::LanePlan& planOf(int design) {
+    const Input* rail = rails_[static_cast<std::size_t>(design)];
+    std::unique_ptr<ensemble::LanePlan>& plan = plans_[rail];
+    if (!plan) {
+      const Schedule schedule(*rail, run_.output_step);
+      checkRail(*rail, schedule, run_);
+      plan = std::make_unique<ensemble::LanePlan>(*rail, schedule, run_.step);
+    }
+    return *plan;
+  }
+
+  // A batch that stores is as large as its longest history lets it be.
+  Batch batchFrom(int first, int total) {
+    Batch batch{first, 0, 0};
+    while (first + batch.count < total) {
+      const int room = std::max(batch.longest, planOf(first + batch.count).samples - first_counted_);
+      if (batch.count > 0 && batch.count >= batchOf(run_, kernels_.lanes, room, static_cast<bool>(store_))) break;
+      batch.longest = room;
+      ++batch.count;
+    }
+    return batch;
+  }
+
+  void runBatch(const Batch& batch) {
+    const std::vector<int> order = range(batch.first, batch.count);
+    BlockRows rows(designs_, order, kernels_.lanes, columns_.count());
+    Storage storage(static_cast<bool>(store_), rows, columns_.count(), batch.longest);
+    for (int b = 0; b < rows.blocks(); ++b) runBlock(batch, b, rows, storage);
+    std::vector<int> samples;
+    for (int i = 0; i < batch.count; ++i) {
+      const ensemble::LanePlan& plan = planOf(batch.first + i);
+      samples.push_back(plan.samples - first_counted_);
+      for (const auto& piece : plan.pieces) result_.steps += static_cast<long>(piece.steps) * piece.stretches;
+    }
+    const auto counted = [&](int i) { return samples[static_cast<std::size_t>(i)]; };
+    const auto time = [&](int i, int sample) {
+      const ensemble::LanePlan& plan = planOf(batch.first + i);
+      return plan.time(sample >= 0 ? sample : plan.samples - 1);
+    };
+    summarise(rows, batch.first, columns_.count(), counted, time, result_);
+    storage.handOut(store_, batch.first, samples);
+  }
+
+  void runBlock(const Batch& batch, int index, BlockRows& rows, Storage& storage) {
+    std::vector<const ensemble::LanePlan*> plans;
+    std::vector<const FlatParameters*> vehicles;
+    for (int lane = 0; lane < kernels_.lanes; ++lane) {
+      const int design = batch.first + std::min(index * kernels_.lanes + lane, batch.count - 1);
+      plans.push_back(&planOf(design));
+      vehicles.push_back(&designs_[static_cast<std::size_t>(design)].vehicle);
+    }
+    Block block = rows.block(index);
+    block.stored = storage.of(index);
+    ensemble::LaneRun(plans, vehicles).run(kernels_, block, columns_.get(), first_counted_);
+  }
+
+  std::span<const EnsembleDesign> designs_;
+  std::span<const Input* const> rails_;
+  const EnsembleRun& run_;
+  const StoredBlockSink& store_;
+  ColumnChoice columns_;
+  const ensemble::Kernels& kernels_;
+  int first_counted_;
+  std::map<const Input*, std::unique_ptr<ensemble::LanePlan>> plans_;  // of the batch, one a distinct rail
+  EnsembleResult result_;
+};
+
 }  // namespace
+
+int firstCounted(double settle, double output_step) {
+  constexpr double kSameInstant = 1e-9;  // of an output step
+  return static_cast<int>(std::min(std::ceil(settle / output_step - kSameInstant), 1e9));
+}
 
 void StoredBlock::copyColumn(int design, int column, std::vector<double>& values) const {
   values.resize(static_cast<std::size_t>(samples(design)));
@@ -157,8 +260,9 @@ EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, const Input&
       }
     }
     result.steps += pieces.steps() * rows.used();
-    summarise(rows, first, columns.count(), [&](int) { return counted; },
-              [&](int, int sample) { return schedule.time(sample >= 0 ? sample : schedule.samples() - 1); }, result);
+    summarise(
+        rows, first, columns.count(), [&](int) { return counted; },
+        [&](int, int sample) { return schedule.time(sample >= 0 ? sample : schedule.samples() - 1); }, result);
     storage.handOut(store, first, std::vector<int>(order.size(), counted));
   }
   return result;
@@ -171,66 +275,7 @@ EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, std::span<co
     throw std::invalid_argument("ensemble: " + std::to_string(rails.size()) + " rails for " +
                                 std::to_string(designs.size()) + " designs, must be one a design and none null");
   }
-  const ColumnChoice columns(run.columns);
-  const Choice choice = columns.get();
-  const ensemble::Kernels& kernels = ensemble::kernelsOf(run.isa);
-  const int first_counted = firstCounted(run);
-  const int total = static_cast<int>(designs.size());
-
-  EnsembleResult result;
-  result.summaries.resize(designs.size() * run.columns.size());
-  for (int first = 0; first < total;) {
-    // Plans of the batch, one a distinct rail; a batch that stores is as large as its longest history lets it be.
-    std::map<const Input*, std::unique_ptr<ensemble::LanePlan>> plans;
-    int longest = 0;
-    const auto planOf = [&](int design) -> const ensemble::LanePlan& {
-      const Input* rail = rails[static_cast<std::size_t>(design)];
-      std::unique_ptr<ensemble::LanePlan>& plan = plans[rail];
-      if (!plan) {
-        const Schedule schedule(*rail, run.output_step);
-        checkRail(*rail, schedule, run);
-        plan = std::make_unique<ensemble::LanePlan>(*rail, schedule, run.step);
-      }
-      return *plan;
-    };
-    int count = 0;
-    while (first + count < total) {
-      const int room = std::max(longest, planOf(first + count).samples - first_counted);
-      if (count > 0 && count >= batchOf(run, kernels.lanes, room, static_cast<bool>(store))) break;
-      longest = room;
-      ++count;
-    }
-    const std::vector<int> order = range(first, count);
-    BlockRows rows(designs, order, kernels.lanes, columns.count());
-    Storage storage(static_cast<bool>(store), rows, columns.count(), longest);
-    for (int b = 0; b < rows.blocks(); ++b) {
-      std::vector<const ensemble::LanePlan*> lane_plans;
-      std::vector<const FlatParameters*> vehicles;
-      for (int lane = 0; lane < kernels.lanes; ++lane) {
-        const int design = first + std::min(b * kernels.lanes + lane, count - 1);
-        lane_plans.push_back(&planOf(design));
-        vehicles.push_back(&designs[static_cast<std::size_t>(design)].vehicle);
-      }
-      Block block = rows.block(b);
-      block.stored = storage.of(b);
-      ensemble::LaneRun(lane_plans, vehicles).run(kernels, block, choice, first_counted);
-    }
-    std::vector<int> samples;
-    for (int i = 0; i < count; ++i) {
-      const ensemble::LanePlan& plan = planOf(first + i);
-      samples.push_back(plan.samples - first_counted);
-      for (const auto& piece : plan.pieces) result.steps += static_cast<long>(piece.steps) * piece.stretches;
-    }
-    summarise(rows, first, columns.count(), [&](int i) { return samples[static_cast<std::size_t>(i)]; },
-              [&](int i, int sample) {
-                const ensemble::LanePlan& plan = planOf(first + i);
-                return plan.time(sample >= 0 ? sample : plan.samples - 1);
-              },
-              result);
-    storage.handOut(store, first, samples);
-    first += count;
-  }
-  return result;
+  return OwnRails(designs, rails, run, store).run();
 }
 
 }  // namespace vehicle

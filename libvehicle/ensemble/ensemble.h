@@ -77,6 +77,10 @@ class StoredBlock {
 /// of designs.
 using StoredBlockSink = std::function<void(const StoredBlock&)>;
 
+/// Number of the first output sample that counts: the first at or after `settle`, within a billionth of a step.
+/// @param settle, output_step  [s] >= 0, > 0
+[[nodiscard]] int firstCounted(double settle, double output_step);
+
 /// RK4 of many designs, one a SIMD lane, with metrics gathered on the way.
 ///
 /// Every design follows the grid of runFixedStep(): steps end on output samples and kinks. Output samples on a kink

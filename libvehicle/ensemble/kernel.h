@@ -50,15 +50,17 @@ struct SharedLeg {
 ///     F(s) = f0 + s (f1 + s (f2 + s f3)) + sum_f [ A_f cos(w_f s) + B_f sin(w_f s) ]        [N]
 struct LaneRail {
   int frequencies = 0;
-  bool polynomial = false;       // whether any lane has one
-  double* oscillator = nullptr;  // (frequencies x 8 rows) cos, sin; turn by half a step: cos - 1, sin; A, B front; rear
-  const double* wheel = nullptr; // (frequencies x 9 rows) cosine, sine of wheels 1 to 4 [m]; w [rad/s]
+  bool polynomial = false;  // whether any lane has one
+  /// (frequencies x 8 rows) cos, sin; turn by half a step: cos - 1, sin; A, B of the front bogie; of the rear one
+  double* oscillator = nullptr;
+  const double* wheel = nullptr;             // (frequencies x 9 rows) cosine, sine of wheels 1 to 4 [m]; w [rad/s]
   const double* force_polynomial = nullptr;  // (8 rows) front f0 to f3, rear
   const double* wheel_polynomial = nullptr;  // (16 rows) wheel 1 p0 to p3, ...
   const double* half_step = nullptr;         // (1 row) [s]; 0: this lane waits
-  double* time = nullptr;        // (4 rows) [s] since the segment's begin when the oscillators were seeded; half a step;
-                                 // half steps made since then; 1, or 0 in a lane that waits
-  const double* last_sample = nullptr;       // (1 row) a lane's samples after that one count no more
+  /// (4 rows) [s] since the segment's begin when the oscillators were seeded; half a step; half steps made since then;
+  /// 1, or 0 in a lane that waits
+  double* time = nullptr;
+  const double* last_sample = nullptr;  // (1 row) a lane's samples after that one count no more
 };
 
 /// Equal intervals of `steps` steps, each with an output sample at its end unless `sample` is false.

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
 #include "libvehicle/ensemble/block_rows.h"
+#include "libvehicle/ensemble/harmonic_orders.h"
 #include "libvehicle/ensemble/kernel.h"
 
 namespace vehicle {
@@ -94,21 +94,6 @@ std::vector<int> ordersOf(std::size_t index, const InputSegment& rail) {
                               " or less, so peaks have no closed form; run in time instead");
 }
 
-// cos and sin of order_f x over one common period, after a column for the constant part, which takes no part.
-std::vector<double> circleOf(const std::vector<int>& orders, std::size_t constant, int samples) {
-  std::vector<double> circle;
-  for (int n = 0; n < samples; ++n) {
-    for (std::size_t i = 0; i < constant; ++i) circle.insert(circle.end(), {0.0, 0.0});
-    for (const int order : orders) {
-      // Reduced first, so that the angle is as good at the end of the period as at its begin.
-      const double turn = static_cast<double>((static_cast<long>(order) * n) % samples) / samples;
-      circle.push_back(std::cos(2.0 * std::numbers::pi * turn));
-      circle.push_back(std::sin(2.0 * std::numbers::pi * turn));
-    }
-  }
-  return circle;
-}
-
 // Designs of one kind, computed together; what a design gets depends on its own kind alone.
 using Kind = std::tuple<bool, bool, std::vector<int>, std::size_t>;  // symmetric, constant, orders, harmonics
 
@@ -154,7 +139,7 @@ class Computation {
     const int highest = orders.empty() ? 1 : *std::max_element(orders.begin(), orders.end());
     const int samples = kSamplesPerPeriod * highest;
     const std::vector<double> circle =
-        samples_peaks ? circleOf(orders, harmonics.constant(), samples) : std::vector<double>{};
+        samples_peaks ? circleOf(orders, samples, harmonics.constant()) : std::vector<double>{};
     const InputSegment* last = nullptr;  // the rail in all lanes, or null
     for (int b = 0; b < rows.blocks(); ++b) {
       const auto begin = static_cast<std::size_t>(b) * lanes;
@@ -264,49 +249,6 @@ SteadyResult steadyEnsembleEach(std::span<const EnsembleDesign> designs, std::sp
   }
   Computation(designs, run).add([&](std::size_t design) -> const InputSegment& { return *rails[design]; }, 0, result);
   return result;
-}
-
-std::optional<std::vector<int>> harmonicOrders(std::span<const double> angular_frequency) {
-  constexpr double kSame = 1e-9;
-  if (angular_frequency.empty()) return std::vector<int>{};
-  const double lowest = *std::min_element(angular_frequency.begin(), angular_frequency.end());
-  for (int divisor = 1; divisor <= kMostOrder; ++divisor) {
-    std::vector<int> orders;
-    for (const double w : angular_frequency) {
-      const double order = w / lowest * divisor;
-      const double nearest = std::round(order);
-      if (!(nearest <= kMostOrder) || std::abs(order - nearest) > kSame * nearest) break;
-      orders.push_back(static_cast<int>(nearest));
-    }
-    if (orders.size() == angular_frequency.size()) return orders;
-  }
-  return std::nullopt;
-}
-
-InputSegment spectrumRail(std::span<const SpectrumLine> lines, const std::array<double, 4>& delay) {
-  InputSegment rail;
-  rail.end = 1.0;
-  rail.polynomial.assign(16, 0.0);
-  rail.cosine.resize(4 * lines.size());
-  rail.sine.resize(4 * lines.size());
-  for (std::size_t f = 0; f < lines.size(); ++f) {
-    const SpectrumLine& line = lines[f];
-    const double amplitude = std::sqrt(2.0 * line.density * line.width);
-    if (!(line.angular_frequency > 0.0) || !(line.density >= 0.0) || !(line.width >= 0.0) ||
-        !std::isfinite(line.angular_frequency) || !std::isfinite(amplitude)) {
-      throw std::invalid_argument("spectrumRail: line " + std::to_string(f) + ": w = " +
-                                  std::to_string(line.angular_frequency) + " rad/s, S = " +
-                                  std::to_string(line.density) + " m^2/Hz, width = " + std::to_string(line.width) +
-                                  " Hz, must be finite, w > 0, S >= 0, width >= 0");
-    }
-    rail.angular_frequency.push_back(line.angular_frequency);
-    for (std::size_t j = 0; j < 4; ++j) {
-      // cos(w (t - delay))
-      rail.cosine[j * lines.size() + f] = amplitude * std::cos(line.angular_frequency * delay[j]);
-      rail.sine[j * lines.size() + f] = amplitude * std::sin(line.angular_frequency * delay[j]);
-    }
-  }
-  return rail;
 }
 
 }  // namespace vehicle

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <complex>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,7 +11,7 @@ namespace vehicle {
 
 enum class SteadyPeaks {
   kNone,     // lowest and highest stay 0
-  kSampled,  // over the common period of the harmonics, which they must have (harmonicOrders): within 6e-5 of the
+  kSampled,  // over the common period of the harmonics, which they must have (harmonic_orders.h): within 6e-5 of the
              // amplitude of the highest order
 };
 enum class SteadyAmplitudes { kDropped, kKept };
@@ -59,23 +57,5 @@ struct SteadyResult {
 /// @param rails  (designs), none null
 [[nodiscard]] SteadyResult steadyEnsembleEach(std::span<const EnsembleDesign> designs,
                                               std::span<const InputSegment* const> rails, const SteadyRun& run);
-
-/// Orders n_f of w_f = n_f w_0 with the largest w_0 that fits, so that 2 pi / w_0 is the common period; nothing where
-/// an order would exceed kMostOrder. Frequencies count as multiples within 1e-9 of themselves.
-[[nodiscard]] std::optional<std::vector<int>> harmonicOrders(std::span<const double> angular_frequency);
-inline constexpr int kMostOrder = 200;
-
-/// One line of a one-sided spectrum: S [m^2 s] at w stands for a band of width dw/(2 pi) [Hz].
-struct SpectrumLine {
-  double angular_frequency = 0.0;  // [rad/s] > 0, distinct
-  double density = 0.0;            // S [m^2/Hz] >= 0
-  double width = 0.0;              // [Hz] >= 0
-};
-
-/// A rail whose steady state has the variance of the response to a spectrum, sum of |H|^2 S df: one harmonic of
-/// amplitude sqrt(2 S df) a line, met by each wheel after its delay. Its peaks mean nothing: the phases are not random.
-/// @param delay  [s] (4) by which a wheel follows the leading one
-/// @throws std::invalid_argument for a line that breaks its rule
-[[nodiscard]] InputSegment spectrumRail(std::span<const SpectrumLine> lines, const std::array<double, 4>& delay);
 
 }  // namespace vehicle

@@ -272,6 +272,13 @@ TEST_P(Lanes, ThatBlowUpAreToldWithTheirTimeAndHarmNobody) {
   }
 }
 
+TEST(Ensemble, TheFirstSampleThatCountsIsTheFirstNotBeforeSettle) {
+  EXPECT_EQ(firstCounted(0.0, 0.005), 0);
+  EXPECT_EQ(firstCounted(2.0, 0.005), 400);  // 2 / 0.005 rounds to 400
+  EXPECT_EQ(firstCounted(0.3, 0.1), 3);      // 0.3 / 0.1 = 2.9999999999999996
+  EXPECT_EQ(firstCounted(0.301, 0.1), 4);
+}
+
 // ---- refusals
 
 std::string refusal(const auto& call) {

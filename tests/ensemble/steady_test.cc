@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "libvehicle/ensemble/harmonic_orders.h"
+#include "libvehicle/ensemble/spectrum_rail.h"
 #include "libvehicle/linear/steady_state.h"
 #include "tests/ensemble/designs.h"
 #include "tests/ensemble/scalar_run.h"

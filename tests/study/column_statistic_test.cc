@@ -76,13 +76,6 @@ TEST(ColumnStatistic, ExtremesAndPercentilesAreThoseOfTheSortedValues) {
   EXPECT_EQ(statistic(metricOf("abs_p75"), x, 1.0), absolute[75]);
 }
 
-TEST(ColumnStatistic, TheFirstSampleThatCountsIsTheFirstNotBeforeSettle) {
-  EXPECT_EQ(firstCounted(0.0, 0.005), 0);
-  EXPECT_EQ(firstCounted(2.0, 0.005), 400);   // 2 / 0.005 rounds to 400
-  EXPECT_EQ(firstCounted(0.3, 0.1), 3);       // 0.3 / 0.1 = 2.9999999999999996
-  EXPECT_EQ(firstCounted(0.301, 0.1), 4);
-}
-
 // The same motion told by amplitudes and by samples. 4096 samples, order 7: a parabola misses a peak by
 // (2 pi 7 / 4096)^4 / 128, below 1e-9; the percentile by its own spacing, 2 pi 3 / 4096 < 5e-3.
 TEST(SteadyStatistic, OfTwoTonesIsTheClosedForm) {

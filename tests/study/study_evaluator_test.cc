@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "libvehicle/ensemble/ensemble.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/study/evaluate/column_statistic.h"
 #include "tests/study/inputs.h"

@@ -60,6 +60,8 @@ std::vector<ColumnRequest> requestsOf(const BoundStudy& bound, std::size_t study
   return requests;
 }
 
+std::string inCase(const StudyCase& study_case) { return study_case.label.empty() ? "" : " at " + study_case.label; }
+
 Scenario steadyScenario(Scenario scenario) {
   if (scenario.track) {
     scenario.track->history = History::kExtended;

@@ -8,11 +8,6 @@
 
 namespace vehicle {
 
-int firstCounted(double settle, double output_step) {
-  constexpr double kSameInstant = 1e-9;
-  return static_cast<int>(std::min(std::ceil(settle / output_step - kSameInstant), 1e9));
-}
-
 double percentileOf(std::vector<double>& values, double q) {
   const double place = q * static_cast<double>(values.size() - 1);
   const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
@@ -40,21 +35,16 @@ double ColumnStatistic::operator()(const Metric& metric, std::span<const double>
     case Statistic::kMax:
       return *std::max_element(values.begin(), values.end());
     case Statistic::kPercentile:
-      return percentile(values, metric.percent / 100.0, false);
+      sorted_.assign(values.begin(), values.end());
+      return percentileOf(sorted_, metric.percent / 100.0);
     case Statistic::kAbsolutePercentile:
-      return percentile(values, metric.percent / 100.0, true);
+      sorted_.resize(values.size());
+      std::transform(values.begin(), values.end(), sorted_.begin(), [](double each) { return std::abs(each); });
+      return percentileOf(sorted_, metric.percent / 100.0);
     case Statistic::kBand:
       return band(values, step, metric.low, metric.high);
   }
   return 0.0;
-}
-
-double ColumnStatistic::percentile(std::span<const double> values, double share, bool absolute) {
-  sorted_.assign(values.begin(), values.end());
-  if (absolute) {
-    for (double& each : sorted_) each = std::abs(each);
-  }
-  return percentileOf(sorted_, share);
 }
 
 double ColumnStatistic::band(std::span<const double> values, double step, double low, double high) {

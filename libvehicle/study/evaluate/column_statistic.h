@@ -7,10 +7,6 @@
 
 namespace vehicle {
 
-/// Number of the first output sample that counts: the first at or after `settle`, within a billionth of a step, as in
-/// an ensemble's run.
-[[nodiscard]] int firstCounted(double settle, double output_step);
-
 /// Value below which the share q of the values lies, linear between the order statistics (q = 0.5: the median).
 /// @param values  not empty, finite; reordered   @param q  0 .. 1
 [[nodiscard]] double percentileOf(std::vector<double>& values, double q);
@@ -32,7 +28,6 @@ class ColumnStatistic {
   [[nodiscard]] double operator()(const Metric& metric, std::span<const double> values, double step);
 
  private:
-  [[nodiscard]] double percentile(std::span<const double> values, double share, bool absolute);
   [[nodiscard]] double band(std::span<const double> values, double step, double low, double high);
 
   std::vector<double> sorted_;

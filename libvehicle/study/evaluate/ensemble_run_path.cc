@@ -16,7 +16,7 @@ namespace {
 
 class EnsembleRunPath final : public Path {
  public:
-  explicit EnsembleRunPath(const StudyInputs& inputs) : inputs_(inputs), block_(inputs, false) {
+  explicit EnsembleRunPath(const StudyInputs& inputs) : inputs_(inputs), block_(inputs, Evaluation::kRun) {
     for (std::size_t c = 0; c < inputs.bound.cases.size(); ++c) requests_.push_back(requestsOf(inputs.bound, c));
     for (const ColumnRequest& request : requests_.front()) {
       run_.columns.push_back(block_.column(request.column));
@@ -75,7 +75,7 @@ class EnsembleRunPath final : public Path {
       const std::size_t row = block_.alive()[first + i];
       if (rows.failed(row)) continue;
       for (std::size_t k = 0; k < run_.columns.size(); ++k) {
-        for (const ColumnRequest::Entry& entry : requests_[study_case][k].entries) {
+        for (const MetricPlace& entry : requests_[study_case][k].entries) {
           if (!comesFromSummary(entry.metric.statistic)) continue;
           rows.metric(row, entry.place) =
               fromSummary(entry.metric.statistic, result.summaries[i * run_.columns.size() + k]);
@@ -90,7 +90,7 @@ class EnsembleRunPath final : public Path {
       if (rows.failed(row)) continue;
       for (std::size_t k = 0; k < run_.columns.size(); ++k) {
         bool copied = false;
-        for (const ColumnRequest::Entry& entry : requests_[study_case][k].entries) {
+        for (const MetricPlace& entry : requests_[study_case][k].entries) {
           if (comesFromSummary(entry.metric.statistic)) continue;
           if (!copied) stored.copyColumn(i, static_cast<int>(k), values_);
           copied = true;
@@ -107,11 +107,10 @@ class EnsembleRunPath final : public Path {
   }
 
   void fail(std::size_t study_case, std::size_t place, double time, DesignRows& rows) const {
-    const std::string& label = inputs_.bound.cases[study_case].label;
     char text[40];
     std::snprintf(text, sizeof text, "%.6g s", time);
     rows.fail(block_.alive()[place],
-              "its motion" + (label.empty() ? label : " at " + label) + " is no longer finite at t = " + text);
+              "its motion" + inCase(inputs_.bound.cases[study_case]) + " is no longer finite at t = " + text);
   }
 
   const StudyInputs& inputs_;

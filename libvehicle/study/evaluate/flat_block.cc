@@ -14,9 +14,9 @@ std::string designProblem(const std::exception& error) {
   return invalid != nullptr ? firstProblem(invalid->problems()) : error.what();
 }
 
-FlatBlock::FlatBlock(const StudyInputs& inputs, bool steady)
+FlatBlock::FlatBlock(const StudyInputs& inputs, Evaluation evaluation)
     : inputs_(inputs),
-      steady_(steady),
+      steady_(evaluation == Evaluation::kSteadyState),
       maker_(inputs),
       shared_(maker_.geometryIsFixed() && scenariosAreFixed(inputs.bound)),
       vehicle_(inputs.vehicle),
@@ -109,7 +109,6 @@ double FlatBlock::outputStep(std::size_t study_case, std::size_t place) const {
 }
 
 FlatColumn FlatBlock::column(const std::string& name) const {
-  // choosePath() has made sure that the ensemble has it.
   return flatColumn(maker_.topology(), maker_.layout(), name).value();
 }
 

@@ -18,8 +18,8 @@ namespace vehicle {
 /// rails of its own. Designs are shared by the cases of equal gravity that start at rest.
 class FlatBlock {
  public:
-  /// @param steady  the rail has always been there, and the start does not matter
-  FlatBlock(const StudyInputs& inputs, bool steady);
+  /// @param evaluation  of a steady state the rail has always been there, and the start does not matter
+  FlatBlock(const StudyInputs& inputs, Evaluation evaluation);
 
   /// Makes the designs of the rows; those that cannot be are failed there and left out.
   void prepare(DesignRows& rows);
@@ -35,10 +35,10 @@ class FlatBlock {
   [[nodiscard]] const Input& rail(std::size_t study_case) const { return shared_rails_[study_case]; }
   /// Rails of a case, shape (alive), where each design has its own.
   [[nodiscard]] const std::vector<Input>& rails(std::size_t study_case) const { return rails_[study_case]; }
-  /// Scenario of a case for the design in that place of alive(), with its parameters.
+  /// Output step of a case [s] for the design in that place of alive(), with its parameters.
   [[nodiscard]] double outputStep(std::size_t study_case, std::size_t place) const;
 
-  /// The columns of the vehicle, by name.
+  /// A column of the vehicle by its name, which choosePath() has found among those of the ensemble.
   [[nodiscard]] FlatColumn column(const std::string& name) const;
 
  private:

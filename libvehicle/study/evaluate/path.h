@@ -45,14 +45,16 @@ class DesignRows {
   std::vector<std::string> problems_;  // (designs) empty where nothing is wrong
 };
 
-/// A column of a case that some metrics ask for, and where their values go.
+/// A metric and where its value goes.
+struct MetricPlace {
+  Metric metric;
+  std::size_t place = 0;  // among the metrics of a row
+};
+
+/// A column of a case that some metrics ask for.
 struct ColumnRequest {
   std::string column;  // "carbody.az"
-  struct Entry {
-    Metric metric;
-    std::size_t place = 0;  // among the metrics of a row
-  };
-  std::vector<Entry> entries;
+  std::vector<MetricPlace> entries;
 };
 
 /// What a case is asked for; every column once.
@@ -84,6 +86,9 @@ struct PathChoice {
 
 /// @param inputs  outlives the path
 [[nodiscard]] std::unique_ptr<Path> makePath(const StudyInputs& inputs, PathChoice::Kind kind);
+
+/// " at 80 km/h": a case as messages name it; "" where there is only one.
+[[nodiscard]] std::string inCase(const StudyCase& study_case);
 
 /// Scenario of a steady state: the rail has always been there.
 [[nodiscard]] Scenario steadyScenario(Scenario scenario);

@@ -50,7 +50,7 @@ void RestAndModes::evaluate(DesignRows& rows) {
 void RestAndModes::evaluateRest(std::size_t row, double gravity, DesignRows& rows) const {
   const Topology topology = topologyOf(vehicle_);
   const Rest rest = restOf(topology, gravity);
-  for (const Entry& each : rest_) {
+  for (const MetricPlace& each : rest_) {
     const std::size_t suspension = placeOf(topology.suspensions, each.metric.subject);
     double& value = rows.metric(row, each.place);
     if (suspension == topology.suspensions.size()) {
@@ -67,7 +67,7 @@ void RestAndModes::evaluateRest(std::size_t row, double gravity, DesignRows& row
 
 void RestAndModes::evaluateModes(std::size_t row, double gravity, DesignRows& rows) const {
   const std::vector<Mode> modes = modesOf(*buildForm(defaultForm(vehicle_), vehicle_, gravity));
-  for (const Entry& each : modes_) {
+  for (const MetricPlace& each : modes_) {
     const std::size_t place = placeOf(modes, each.metric.subject);
     if (place == modes.size()) {
       std::vector<std::string> names;

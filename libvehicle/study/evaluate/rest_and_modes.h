@@ -18,18 +18,14 @@ class RestAndModes {
   void evaluate(DesignRows& rows);
 
  private:
-  struct Entry {
-    Metric metric;
-    std::size_t place = 0;  // among the metrics of a row
-  };
   void evaluateRest(std::size_t row, double gravity, DesignRows& rows) const;
   void evaluateModes(std::size_t row, double gravity, DesignRows& rows) const;
 
   const StudyInputs& inputs_;
   Vehicle vehicle_;
   std::vector<Scenario> scenarios_;
-  std::vector<Entry> rest_;
-  std::vector<Entry> modes_;
+  std::vector<MetricPlace> rest_;
+  std::vector<MetricPlace> modes_;
 };
 
 }  // namespace vehicle

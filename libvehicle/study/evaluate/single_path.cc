@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <map>
 #include <stdexcept>
 
+#include "libvehicle/ensemble/ensemble.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/linear/steady_state.h"
 #include "libvehicle/simulate/simulate.h"
@@ -16,6 +16,8 @@
 namespace vehicle {
 
 namespace {
+
+constexpr std::size_t kMostStatistics = 64;
 
 class SinglePath : public Path {
  public:
@@ -82,7 +84,7 @@ class SingleRunPath final : public SinglePath {
     }
     for (const ColumnRequest& request : requests(study_case)) {
       const std::vector<double> values = result.history.column(request.column);
-      for (const ColumnRequest::Entry& entry : request.entries) {
+      for (const MetricPlace& entry : request.entries) {
         rows.metric(row, entry.place) = statistic_(entry.metric, std::span(values).subspan(first), step);
       }
     }
@@ -104,7 +106,7 @@ class SteadySinglePath final : public SinglePath {
     const Input input = inputOf(steadyScenario(scenario), topologyOf(vehicle()), speed);
     const InputSegment& rail = input.segment(0);
     answer(*form, rail);
-    SteadyStatistic& statistic = statisticOf(rail);
+    SteadyStatistic& statistic = statistics_.of(rail.angular_frequency);
     const std::size_t harmonics = rail.angular_frequency.size();
     for (const ColumnRequest& request : requests(study_case)) {
       const auto& columns = form->outputs();
@@ -112,23 +114,18 @@ class SteadySinglePath final : public SinglePath {
                                       [&](const Channel& each) { return each.name == request.column; });
       const auto column = static_cast<std::size_t>(found - columns.begin());  // bindStudy() knows it
       for (std::size_t f = 0; f < harmonics; ++f) harmonic_[f] = amplitudes_[f][column];
-      for (const ColumnRequest::Entry& entry : request.entries) {
+      for (const MetricPlace& entry : request.entries) {
         rows.metric(row, entry.place) = statistic(entry.metric, mean_[column], harmonic_);
       }
     }
   }
 
-  // Means and complex amplitudes of all columns: outputs are linear in state and rail, but for the static loads.
+  // Outputs are linear in state and rail, but for the static loads: what they are at rest on level rail.
   void answer(const System& form, const InputSegment& rail) {
     const StateSpace matrices = form.linear().value();
-    const auto n = static_cast<std::size_t>(form.size());
-    const auto wheels = static_cast<std::size_t>(form.channels());
-    const std::size_t harmonics = rail.angular_frequency.size();
-    const std::size_t columns = form.outputs().size();
-    std::vector<double> x(n, 0.0);
-    std::vector<double> u(3 * wheels, 0.0);
-    std::vector<double> at_rest(columns);
-    std::vector<double> part(columns);
+    std::vector<double> x(static_cast<std::size_t>(form.size()), 0.0);
+    std::vector<double> u(3 * static_cast<std::size_t>(form.channels()), 0.0);
+    std::vector<double> at_rest(form.outputs().size());
     form.output(x, u, at_rest);
 
     InputSegment level = rail;
@@ -137,44 +134,52 @@ class SteadySinglePath final : public SinglePath {
     level.sine.clear();
     const Eigen::VectorXd constant = steadyState(matrices, level, level.begin);
     std::copy(constant.begin(), constant.end(), x.begin());
-    for (std::size_t j = 0; j < wheels; ++j) u[j] = rail.polynomial[InputSegment::kPolynomial * j];
-    mean_.resize(columns);
+    for (int j = 0; j < form.channels(); ++j) {
+      const auto channel = static_cast<std::size_t>(j);
+      u[channel] = rail.polynomial[InputSegment::kPolynomial * channel];
+    }
+    mean_.resize(at_rest.size());
     form.output(x, u, mean_);
 
-    amplitudes_.assign(harmonics, std::vector<std::complex<double>>(columns));
+    const std::size_t harmonics = rail.angular_frequency.size();
     harmonic_.resize(harmonics);
+    amplitudes_.assign(harmonics, std::vector<std::complex<double>>(at_rest.size()));
     for (std::size_t f = 0; f < harmonics; ++f) {
       const Eigen::VectorXcd X = steadyAmplitude(matrices, rail, static_cast<int>(f));
-      const std::complex<double> iw(0.0, rail.angular_frequency[f]);
-      for (const bool imaginary : {false, true}) {
-        const auto take = [imaginary](std::complex<double> z) { return imaginary ? z.imag() : z.real(); };
-        for (std::size_t i = 0; i < n; ++i) x[i] = take(X[static_cast<Eigen::Index>(i)]);
-        for (std::size_t j = 0; j < wheels; ++j) {
-          const std::complex<double> height(rail.cosine[j * harmonics + f], -rail.sine[j * harmonics + f]);
-          u[j] = take(height);
-          u[wheels + j] = take(iw * height);
-          u[2 * wheels + j] = take(iw * iw * height);
-        }
-        form.output(x, u, part);
-        for (std::size_t c = 0; c < columns; ++c) {
-          const double value = part[c] - at_rest[c];
-          amplitudes_[f][c] += imaginary ? std::complex<double>(0.0, value) : std::complex<double>(value, 0.0);
-        }
-      }
+      fillAmplitudes(form, rail, f, X, at_rest);
     }
   }
 
-  SteadyStatistic& statisticOf(const InputSegment& rail) {
-    if (statistics_.size() > 64) statistics_.clear();  // designs may bring frequencies of their own
-    const auto found = statistics_.find(rail.angular_frequency);
-    if (found != statistics_.end()) return found->second;
-    return statistics_.try_emplace(rail.angular_frequency, rail.angular_frequency).first->second;
+  // Real and imaginary parts go through the outputs one after the other.
+  void fillAmplitudes(const System& form, const InputSegment& rail, std::size_t f, const Eigen::VectorXcd& state,
+                      const std::vector<double>& at_rest) {
+    const auto wheels = static_cast<std::size_t>(form.channels());
+    const std::size_t harmonics = rail.angular_frequency.size();
+    const std::complex<double> iw(0.0, rail.angular_frequency[f]);
+    std::vector<double> x(static_cast<std::size_t>(form.size()));
+    std::vector<double> u(3 * wheels);
+    std::vector<double> part(at_rest.size());
+    for (const bool imaginary : {false, true}) {
+      const auto take = [imaginary](std::complex<double> z) { return imaginary ? z.imag() : z.real(); };
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] = take(state[static_cast<Eigen::Index>(i)]);
+      for (std::size_t j = 0; j < wheels; ++j) {
+        const std::complex<double> height(rail.cosine[j * harmonics + f], -rail.sine[j * harmonics + f]);
+        u[j] = take(height);
+        u[wheels + j] = take(iw * height);
+        u[2 * wheels + j] = take(iw * iw * height);
+      }
+      form.output(x, u, part);
+      for (std::size_t c = 0; c < part.size(); ++c) {
+        const double value = part[c] - at_rest[c];
+        amplitudes_[f][c] += imaginary ? std::complex<double>(0.0, value) : std::complex<double>(value, 0.0);
+      }
+    }
   }
 
   std::vector<double> mean_;                                   // (columns)
   std::vector<std::vector<std::complex<double>>> amplitudes_;  // (harmonics x columns)
   std::vector<std::complex<double>> harmonic_;                 // (harmonics) of one column
-  std::map<std::vector<double>, SteadyStatistic> statistics_;
+  SteadyStatistics statistics_{kMostStatistics};
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "libvehicle/ensemble/steady.h"
@@ -14,18 +13,23 @@ namespace vehicle {
 
 namespace {
 
+constexpr std::size_t kMostStatistics = 64;
+
 bool needsPeaks(Statistic statistic) {
   return statistic == Statistic::kPeak || statistic == Statistic::kMin || statistic == Statistic::kMax;
 }
 
 class SteadyEnsemblePath final : public Path {
  public:
-  explicit SteadyEnsemblePath(const StudyInputs& inputs) : inputs_(inputs), block_(inputs, true) {
+  explicit SteadyEnsemblePath(const StudyInputs& inputs)
+      : inputs_(inputs),
+        block_(inputs, Evaluation::kSteadyState),
+        statistics_(std::max(kMostStatistics, inputs.bound.cases.size())) {
     for (std::size_t c = 0; c < inputs.bound.cases.size(); ++c) requests_.push_back(requestsOf(inputs.bound, c));
     // Every case is asked for the same columns: one run serves all.
     for (const ColumnRequest& request : requests_.front()) {
       run_.columns.push_back(block_.column(request.column));
-      for (const ColumnRequest::Entry& entry : request.entries) {
+      for (const MetricPlace& entry : request.entries) {
         if (needsPeaks(entry.metric.statistic)) run_.peaks = SteadyPeaks::kSampled;
         if (!comesFromSummary(entry.metric.statistic)) run_.amplitudes = SteadyAmplitudes::kKept;
       }
@@ -100,8 +104,7 @@ class SteadyEnsemblePath final : public Path {
   }
 
   void fail(std::size_t study_case, std::size_t place, DesignRows& rows) const {
-    const std::string& label = inputs_.bound.cases[study_case].label;
-    rows.fail(block_.alive()[place], "has no steady state" + (label.empty() ? label : " at " + label) +
+    rows.fail(block_.alive()[place], "has no steady state" + inCase(inputs_.bound.cases[study_case]) +
                                          ": a harmonic meets an undamped mode, or nothing holds a motion");
   }
 
@@ -123,15 +126,15 @@ class SteadyEnsemblePath final : public Path {
     if (rows.failed(row)) return;
     const std::size_t harmonics = answer.rail.angular_frequency.size();
     for (std::size_t k = 0; k < run_.columns.size(); ++k) {
-      for (const ColumnRequest::Entry& entry : requests_[study_case][k].entries) {
+      for (const MetricPlace& entry : requests_[study_case][k].entries) {
         double& value = rows.metric(row, entry.place);
         if (comesFromSummary(entry.metric.statistic)) {
           value = fromSummary(entry.metric.statistic, answer.summaries[k]);
           continue;
         }
         try {
-          value = statisticOf(answer.rail)(entry.metric, answer.summaries[k].mean,
-                                           {answer.amplitudes + k * harmonics, harmonics});
+          value = statistics_.of(answer.rail.angular_frequency)(entry.metric, answer.summaries[k].mean,
+                                                                {answer.amplitudes + k * harmonics, harmonics});
         } catch (const std::domain_error& error) {
           rows.fail(row, error.what());
           return;
@@ -140,18 +143,11 @@ class SteadyEnsemblePath final : public Path {
     }
   }
 
-  SteadyStatistic& statisticOf(const InputSegment& segment) {
-    const std::vector<double>& key = segment.angular_frequency;
-    if (!block_.railsAreShared() && statistics_.size() > 64) statistics_.clear();
-    const auto found = statistics_.find(key);
-    return found != statistics_.end() ? found->second : statistics_.try_emplace(key, key).first->second;
-  }
-
   const StudyInputs& inputs_;
   FlatBlock block_;
   SteadyRun run_;
-  std::vector<std::vector<ColumnRequest>> requests_;           // (cases)
-  std::map<std::vector<double>, SteadyStatistic> statistics_;  // by frequencies
+  std::vector<std::vector<ColumnRequest>> requests_;  // (cases)
+  SteadyStatistics statistics_;
 };
 
 }  // namespace

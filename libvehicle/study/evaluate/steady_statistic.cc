@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "libvehicle/ensemble/steady.h"
+#include "libvehicle/ensemble/harmonic_orders.h"
 #include "libvehicle/study/evaluate/column_statistic.h"
 
 namespace vehicle {
@@ -26,13 +26,7 @@ SteadyStatistic::SteadyStatistic(std::span<const double> angular_frequency)
   const int highest = orders->empty() ? 1 : *std::max_element(orders->begin(), orders->end());
   const int samples = std::max(kFewestSamples, kSamplesOfHighestOrder * highest);
   values_.resize(static_cast<std::size_t>(samples));
-  for (int n = 0; n < samples; ++n) {
-    for (const int order : *orders) {
-      const double turn = static_cast<double>((static_cast<long>(order) * n) % samples) / samples;
-      circle_.push_back(std::cos(2.0 * std::numbers::pi * turn));
-      circle_.push_back(std::sin(2.0 * std::numbers::pi * turn));
-    }
-  }
+  circle_ = circleOf(*orders, samples);
 }
 
 double SteadyStatistic::operator()(const Metric& metric, double mean,
@@ -99,6 +93,12 @@ double SteadyStatistic::highest(double sign) const {
   if (!(bend < 0.0)) return here;
   const double slope = 0.5 * (after - before);
   return here - 0.5 * slope * slope / bend;
+}
+
+SteadyStatistic& SteadyStatistics::of(const std::vector<double>& angular_frequency) {
+  if (const auto found = kept_.find(angular_frequency); found != kept_.end()) return found->second;
+  if (kept_.size() >= most_) kept_.clear();
+  return kept_.try_emplace(angular_frequency, angular_frequency).first->second;
 }
 
 }  // namespace vehicle

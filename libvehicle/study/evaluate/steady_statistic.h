@@ -1,6 +1,8 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -28,6 +30,19 @@ class SteadyStatistic {
   std::vector<double> angular_frequency_;
   std::vector<double> circle_;  // cos, sin of the orders, shape (samples x F x 2); empty without common period
   std::vector<double> values_;
+};
+
+/// The statistics of rails by their frequencies, each prepared once. Keeps workspace: one object a thread.
+class SteadyStatistics {
+ public:
+  /// @param most  kept at a time, >= 1: designs may bring frequencies of their own
+  explicit SteadyStatistics(std::size_t most) : most_(most) {}
+  /// @param angular_frequency  [rad/s] as of SteadyStatistic   @returns valid until the next call
+  [[nodiscard]] SteadyStatistic& of(const std::vector<double>& angular_frequency);
+
+ private:
+  std::size_t most_;
+  std::map<std::vector<double>, SteadyStatistic> kept_;
 };
 
 }  // namespace vehicle

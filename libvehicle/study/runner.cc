@@ -20,20 +20,17 @@ class Store {
       : database_(database), parameters_(parameters), metrics_(metrics), waiting_(parameters, metrics) {}
 
   void add(Batch& batch) {
-    const std::size_t columns = parameters_ + metrics_;
-    auto failure = batch.failures.begin();
-    for (std::int64_t design = batch.range.first; design < batch.range.end; ++design) {
-      const std::span<const double> row = batch.row(design, columns);
-      const auto id = static_cast<std::uint64_t>(design);
-      if (failure != batch.failures.end() && failure->design == design) {
-        waiting_.addFailed(id, row.first(parameters_), failure->message);
-        ++failure;
-        ++failed;
-      } else {
-        waiting_.add(id, row.first(parameters_), row.subspan(parameters_));
-      }
-      ++evaluated;
-    }
+    batch.forEach(parameters_ + metrics_,
+                  [this](std::int64_t design, std::span<const double> row, const DesignFailure* failure) {
+                    const auto id = static_cast<std::uint64_t>(design);
+                    if (failure != nullptr) {
+                      waiting_.addFailed(id, row.first(parameters_), failure->message);
+                      ++failed;
+                    } else {
+                      waiting_.add(id, row.first(parameters_), row.subspan(parameters_));
+                    }
+                    ++evaluated;
+                  });
     if (waiting_.size() >= kDesignsOfAppend) flush();
   }
 

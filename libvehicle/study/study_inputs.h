@@ -1,11 +1,13 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "libvehicle/definition/bound_study.h"
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/study.h"
 #include "libvehicle/definition/vehicle.h"
+#include "libvehicle/diagnostics/problem.h"
 
 namespace vehicle {
 

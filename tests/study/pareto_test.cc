@@ -1,14 +1,12 @@
 #include "libvehicle/study/compare/pareto.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <set>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "tests/study/hypervolume.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle {
@@ -22,25 +20,14 @@ std::vector<double> randomTable(std::size_t designs, std::size_t objectives, int
   return values;
 }
 
-/// Ranks by the definition: what nothing left dominates is taken away, again and again.
-std::vector<std::size_t> ranksByPeeling(std::span<const double> values, std::size_t objectives) {
-  const std::size_t designs = values.size() / objectives;
-  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> ranks(designs, kNone);
-  for (std::size_t rank = 0, left = designs; left > 0; ++rank) {
-    std::vector<std::size_t> front;
-    for (std::size_t i = 0; i < designs; ++i) {
-      bool dominated = ranks[i] != kNone;
-      for (std::size_t j = 0; j < designs && !dominated; ++j) {
-        dominated = ranks[j] == kNone &&
-                    dominates(values.subspan(j * objectives, objectives), values.subspan(i * objectives, objectives));
-      }
-      if (!dominated) front.push_back(i);
+/// Whether nothing in the table dominates the row, by the definition.
+bool isOnFront(std::span<const double> values, std::size_t objectives, std::size_t row) {
+  for (std::size_t other = 0; other < values.size() / objectives; ++other) {
+    if (dominates(values.subspan(other * objectives, objectives), values.subspan(row * objectives, objectives))) {
+      return false;
     }
-    for (const std::size_t i : front) ranks[i] = rank;
-    left -= front.size();
   }
-  return ranks;
+  return true;
 }
 
 TEST(Dominates, NeedsOneBetterAndNoneWorse) {
@@ -51,33 +38,21 @@ TEST(Dominates, NeedsOneBetterAndNoneWorse) {
 }
 
 // Few levels make many ties and equal designs, where sorting is easily wrong.
-TEST(ParetoRanks, AreThoseOfTheDefinitionWithTiesAndEqualDesigns) {
-  for (std::size_t objectives = 1; objectives <= 4; ++objectives) {
-    for (unsigned seed = 0; seed < 20; ++seed) {
-      const std::vector<double> values = randomTable(60, objectives, seed % 2 == 0 ? 4 : 1000, seed);
-      EXPECT_EQ(paretoRanks(values, objectives), ranksByPeeling(values, objectives)) << objectives << " objectives";
-    }
-  }
-  EXPECT_TRUE(paretoRanks({}, 2).empty());
-  EXPECT_THROW(static_cast<void>(paretoRanks(std::vector<double>{1, NAN}, 2)), std::invalid_argument);
-}
-
-TEST(ParetoFront, GatheredOneByOneItIsRankZero) {
+TEST(ParetoFront, GatheredOneByOneItIsWhatNothingDominates) {
   for (std::size_t objectives = 1; objectives <= 4; ++objectives) {
     for (unsigned seed = 0; seed < 20; ++seed) {
       const std::vector<double> values = randomTable(200, objectives, seed % 2 == 0 ? 6 : 1000, 100 + seed);
-      const std::vector<std::size_t> ranks = paretoRanks(values, objectives);
       ParetoFront front(objectives);
       std::set<std::vector<double>> expected;
-      for (std::size_t i = 0; i < ranks.size(); ++i) {
+      for (std::size_t i = 0; i < values.size() / objectives; ++i) {
         const auto own = std::span(values).subspan(i * objectives, objectives);
-        if (ranks[i] == 0) expected.insert({own.begin(), own.end()});
+        if (isOnFront(values, objectives, i)) expected.insert({own.begin(), own.end()});
         front.add(i, own);
       }
       std::vector<std::vector<double>> gathered;
       for (const ParetoFront::Member& each : front.members()) {
         gathered.push_back(each.objectives);
-        EXPECT_EQ(ranks[each.design], 0u);
+        EXPECT_TRUE(isOnFront(values, objectives, each.design));
       }
       EXPECT_EQ(gathered, (std::vector<std::vector<double>>{expected.begin(), expected.end()}));
     }
@@ -122,19 +97,6 @@ TEST(Hypervolume, OfAStaircaseIsTheSumOfItsSteps) {
                                          2, 2, 5,   0,   0, 5};  // dominated, and beyond the reference
   EXPECT_EQ(hypervolume(with_more, {4.0, 4.0}), 6.0);
   EXPECT_EQ(hypervolume({}, {1.0, 1.0}), 0.0);
-}
-
-TEST(CrowdingDistances, AreTheGapsOfTheNeighboursOverTheExtent) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const std::vector<double> front = {0, 10, 1, 8, 4, 1, 10, 0};
-  const std::vector<double> distances = crowdingDistances(front, 2);
-  EXPECT_EQ(distances[0], kInfinity);
-  EXPECT_EQ(distances[3], kInfinity);
-  // Sums of two quotients: a rounding each.
-  EXPECT_WITHIN(distances[1], 4.0 / 10.0 + 9.0 / 10.0, 1e-15);
-  EXPECT_WITHIN(distances[2], 9.0 / 10.0 + 8.0 / 10.0, 1e-15);
-  EXPECT_EQ(crowdingDistances(std::vector<double>{1, 2}, 2), std::vector<double>{kInfinity});
-  EXPECT_TRUE(crowdingDistances({}, 2).empty());
 }
 
 }  // namespace

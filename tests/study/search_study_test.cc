@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/study/compare/pareto.h"
 #include "libvehicle/study/compare/verdict.h"
+#include "tests/study/hypervolume.h"
 #include "tests/study/inputs.h"
 #include "tests/support/test_folder.h"
 
@@ -149,7 +149,7 @@ TEST(SearchStudy, TheLastGenerationsKeepTheLimits) {
     return true;
   });
   EXPECT_GT(beyond_at_first, 2);  // else the limit means nothing here
-  // Children are made by crossing and mutation, so some try the other side; most of them come from parents that keep it.
+  // Children are made by crossing and mutation, so some try the other side; most come from parents that keep it.
   EXPECT_LE(2 * beyond_at_last, beyond_at_first + 4);
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/study/compare/pareto.h"
+#include "tests/study/hypervolume.h"
 
 namespace vehicle {
 namespace {
@@ -52,7 +53,7 @@ Found run(const Search& settings, std::size_t variables, Function function, int 
   Found found;
   const SearchBounds bounds{std::vector<double>(variables, 0.0), std::vector<double>(variables, 1.0)};
   std::uint64_t design = 0;
-  found.finished = search(settings, bounds, 2, [&](int generation, std::span<const double> points, SearchAnswers answers) {
+  const auto evaluate = [&](int generation, std::span<const double> points, SearchAnswers answers) {
     EXPECT_EQ(generation, found.generations++);
     EXPECT_EQ(points.size(), static_cast<std::size_t>(settings.population) * variables);
     for (std::size_t i = 0; i < answers.violations.size(); ++i) {
@@ -63,7 +64,8 @@ Found run(const Search& settings, std::size_t variables, Function function, int 
     }
     found.points.insert(found.points.end(), points.begin(), points.end());
     return generation != stop_after;
-  });
+  };
+  found.finished = search(settings, bounds, 2, evaluate);
   return found;
 }
 

@@ -40,6 +40,15 @@ struct Batch {
   [[nodiscard]] std::span<double> row(std::int64_t design, std::size_t columns) {
     return {values.data() + static_cast<std::size_t>(design - range.first) * columns, columns};
   }
+  /// Calls visit(design, row, failure) for each design in order; failure is null where there is none.
+  template <class Visit>
+  void forEach(std::size_t columns, Visit visit) {
+    auto failure = failures.begin();
+    for (std::int64_t design = range.first; design < range.end; ++design) {
+      const bool failed = failure != failures.end() && failure->design == design;
+      visit(design, row(design, columns), failed ? &*failure++ : nullptr);
+    }
+  }
 };
 
 /// What is evaluated in one call.

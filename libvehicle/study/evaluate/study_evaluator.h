@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <string>
+#include <memory>
+#include <span>
 
 #include "libvehicle/study/evaluate/evaluation.h"
 #include "libvehicle/study/evaluate/path.h"

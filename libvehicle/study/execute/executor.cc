@@ -9,12 +9,6 @@
 
 namespace vehicle {
 
-void Batch::reset(DesignSpan designs, std::size_t columns) {
-  range = designs;
-  values.assign(static_cast<std::size_t>(designs.size()) * columns, std::numeric_limits<double>::quiet_NaN());
-  failures.clear();
-}
-
 std::int64_t Workload::designs() const {
   std::int64_t sum = 0;
   for (const DesignSpan& range : ranges) sum += range.size();

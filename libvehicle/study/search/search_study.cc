@@ -125,20 +125,20 @@ class StudySearch {
 
   void take(Batch& batch, DesignBatch& finished) {
     const std::size_t parameters = bound_.parameters.size();
-    auto failure = batch.failures.begin();
-    for (std::int64_t design = batch.range.first; design < batch.range.end; ++design) {
-      const std::span<const double> row = batch.row(design, evaluator_.columns());
-      const auto id = static_cast<std::uint64_t>(design);
-      const bool failed = failure != batch.failures.end() && failure->design == design;
-      if (failed) {
-        finished.addFailed(id, row.first(parameters), (failure++)->message);
-        ++outcome_.progress.failed;
-      } else {
-        finished.add(id, row.first(parameters), row.subspan(parameters));
-      }
-      known_.emplace(id, know(row.first(parameters), failed ? std::span<const double>() : row.subspan(parameters)));
-      ++outcome_.progress.evaluated;
-    }
+    batch.forEach(evaluator_.columns(),
+                  [&](std::int64_t design, std::span<const double> row, const DesignFailure* failure) {
+                    const auto id = static_cast<std::uint64_t>(design);
+                    std::span<const double> metrics;
+                    if (failure != nullptr) {
+                      finished.addFailed(id, row.first(parameters), failure->message);
+                      ++outcome_.progress.failed;
+                    } else {
+                      metrics = row.subspan(parameters);
+                      finished.add(id, row.first(parameters), metrics);
+                    }
+                    known_.emplace(id, know(row.first(parameters), metrics));
+                    ++outcome_.progress.evaluated;
+                  });
   }
 
   /// @param metrics  empty for a design that failed

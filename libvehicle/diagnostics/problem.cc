@@ -19,6 +19,14 @@ std::string Problem::text() const {
   return line;
 }
 
+void ProblemList::add(const Place& place, std::string element, std::string message, std::string remedy) {
+  Problem& problem = problems_.emplace_back();
+  problem.place = place;
+  problem.element = std::move(element);
+  problem.message = std::move(message);
+  problem.remedy = std::move(remedy);
+}
+
 void ProblemList::append(const ProblemList& other) {
   problems_.insert(problems_.end(), other.problems_.begin(), other.problems_.end());
 }
@@ -35,7 +43,8 @@ std::string ProblemList::text() const {
   return lines;
 }
 
-InvalidInput::InvalidInput(ProblemList problems) : std::runtime_error(problems.text()), problems_(std::move(problems)) {}
+InvalidInput::InvalidInput(ProblemList problems)
+    : std::runtime_error(problems.text()), problems_(std::move(problems)) {}
 
 namespace {
 
@@ -71,7 +80,8 @@ std::optional<std::string> nearestName(const std::string& word, const std::vecto
 
 std::string unknownName(const std::string& kind, const std::string& word, const std::vector<std::string>& candidates) {
   std::string text = (kind.empty() ? "\"" : kind + " \"") + word + "\" is unknown; ";
-  if (const std::optional<std::string> nearest = nearestName(word, candidates)) return text + "did you mean \"" + *nearest + "\"?";
+  if (const std::optional<std::string> nearest = nearestName(word, candidates))
+    return text + "did you mean \"" + *nearest + "\"?";
   text += "choose one of ";
   for (const std::string& candidate : candidates) text += candidate + (&candidate == &candidates.back() ? "" : ", ");
   return text;

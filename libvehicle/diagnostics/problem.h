@@ -30,6 +30,8 @@ struct Problem {
 class ProblemList {
  public:
   void add(Problem problem) { problems_.push_back(std::move(problem)); }
+  /// The same from its parts. Texts made on the spot go this way: g++ 12 takes a Problem braced of them for one half made.
+  void add(const Place& place, std::string element, std::string message, std::string remedy);
   void append(const ProblemList& other);
   /// Sorts by file and line, keeping the order of equals: checks run in passes, readers read from the top.
   void sortByPlace();
@@ -79,7 +81,8 @@ struct Outcome {
 
 /// The candidate nearest to `word` by edit distance, if any is near enough to be what was meant
 /// (at most a third of the word's length, at least 1 edit allowed).
-[[nodiscard]] std::optional<std::string> nearestName(const std::string& word, const std::vector<std::string>& candidates);
+[[nodiscard]] std::optional<std::string> nearestName(const std::string& word,
+                                                     const std::vector<std::string>& candidates);
 
 /// What to say of a name that is none of the candidates:  KIND "WORD" is unknown; did you mean "NEAREST"?  -- or, where
 /// none is near,  ...; choose one of A, B, C.  An empty kind is left out.

@@ -64,8 +64,11 @@ void AtomicFile::publish() {
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be renamed into place", errno);
   temporary_.clear();
 
-  // Makes the new name last. Some file systems refuse to flush a folder; the file itself is safe already.
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  flushFolderOf(target_);
+}
+
+void flushFolderOf(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) {
     ::fsync(handle);
     ::close(handle);

@@ -2,8 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,36 +17,15 @@ namespace vehicle {
 
 namespace {
 
-constexpr std::size_t kMostProblems = 20;
 constexpr const char* kExample = "a header reads e.g. \"time [s],carbody.z [m]\"";
 
-std::optional<Channel> channelOf(const std::string& field) {
-  const std::optional<NamedColumn> column = columnOf(field);
-  return column ? std::optional<Channel>({column->name, column->unit}) : std::nullopt;
-}
-
-std::vector<Channel> readHeader(std::string_view line, const std::string& file, ProblemList& problems) {
-  const Place place{file, 1};
-  std::vector<Channel> channels;
-  const auto fields = splitFields(line);
-  if (!fields) {
-    problems.add({place, "", "a quote in the header is never closed", ""});
-    return channels;
-  }
-  std::set<std::string> names;
-  for (const std::string& field : *fields) {
-    if (problems.size() >= kMostProblems) break;
-    const std::optional<Channel> channel = channelOf(field);
-    if (!channel) {
-      problems.add({place, "", fmt::format("column \"{}\" has no name with a unit in brackets", field), kExample});
-    } else if (channels.empty() && *channel != Channel{"time", "s"}) {
-      problems.add({place, "", fmt::format("the first column is \"{}\", must be \"time [s]\"", field), kExample});
-    } else if (!names.insert(channel->name).second) {
-      problems.add({place, "", fmt::format("column \"{}\" stands there twice", channel->name), ""});
-    }
-    channels.push_back(channel.value_or(Channel{}));
-  }
-  return channels;
+// Of a header that could be read.
+void requireTimeFirst(const std::vector<Channel>& columns, const std::string& file, ProblemList& problems) {
+  if (columns.empty() || columns.front().name.empty() || columns.front() == Channel{"time", "s"}) return;
+  problems.add(
+      {file, 1}, "",
+      fmt::format("the first column is \"{} [{}]\", must be \"time [s]\"", columns.front().name, columns.front().unit),
+      kExample);
 }
 
 // Fills `row` from a line; adds a problem where that is impossible.
@@ -65,14 +42,14 @@ void readRow(std::string_view line, const Place& place, const std::vector<Channe
     double value = 0.0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) {
-      problems.add(
-          {place, "", fmt::format("column \"{}\": \"{}\" is no finite number", columns[fields].name, field), ""});
+      problems.add(place, "", fmt::format("column \"{}\": \"{}\" is no finite number", columns[fields].name, field),
+                   "");
       return;
     }
     row.push_back(value);
   }
   if (fields != columns.size()) {
-    problems.add({place, "", fmt::format("the row has {} fields, the header {}", fields, columns.size()), ""});
+    problems.add(place, "", fmt::format("the row has {} fields, the header {}", fields, columns.size()), "");
   }
 }
 
@@ -109,14 +86,14 @@ Outcome<TimeHistory> readCsv(const std::filesystem::path& path) {
   if (!bytes.ok()) return outcome;
 
   std::string_view rest = *bytes.value;
-  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   const std::string file = path.string();
-  const std::vector<Channel> columns = readHeader(takeLine(rest), file, outcome.problems);
+  const std::vector<Channel> columns = takeHeader(rest, file, kExample, outcome.problems);
+  requireTimeFirst(columns, file, outcome.problems);
   if (!outcome.problems.empty()) return outcome;
 
   TimeHistory history(std::vector<Channel>(columns.begin() + 1, columns.end()));
   std::vector<double> row;
-  for (int line = 2; !rest.empty() && outcome.problems.size() < kMostProblems; ++line) {
+  for (int line = 2; !rest.empty() && outcome.problems.size() < kMostCsvProblems; ++line) {
     const Place place{file, line};
     readRow(takeLine(rest), place, columns, row, outcome.problems);
     if (!outcome.problems.empty()) continue;

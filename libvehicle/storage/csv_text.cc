@@ -2,6 +2,9 @@
 
 #include <array>
 #include <charconv>
+#include <set>
+
+#include <fmt/format.h>
 
 namespace vehicle {
 
@@ -50,11 +53,35 @@ std::optional<std::vector<std::string>> splitFields(std::string_view line) {
   return fields;
 }
 
-std::optional<NamedColumn> columnOf(std::string_view field) {
+std::optional<Channel> channelOf(std::string_view field) {
   const std::size_t bracket = field.rfind(" [");
   if (bracket == std::string_view::npos || bracket == 0 || !field.ends_with(']')) return std::nullopt;
-  return NamedColumn{std::string(field.substr(0, bracket)),
-                     std::string(field.substr(bracket + 2, field.size() - bracket - 3))};
+  return Channel{std::string(field.substr(0, bracket)),
+                 std::string(field.substr(bracket + 2, field.size() - bracket - 3))};
+}
+
+std::vector<Channel> takeHeader(std::string_view& rest, const std::string& file, const std::string& example,
+                                ProblemList& problems) {
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+  const Place place{file, 1};
+  std::vector<Channel> channels;
+  const auto fields = splitFields(takeLine(rest));
+  if (!fields) {
+    problems.add(place, "", "a quote in the header is never closed", "");
+    return channels;
+  }
+  std::set<std::string> names;
+  for (const std::string& field : *fields) {
+    if (problems.size() >= kMostCsvProblems) break;
+    const std::optional<Channel> channel = channelOf(field);
+    if (!channel) {
+      problems.add(place, "", fmt::format("column \"{}\" has no name with a unit in brackets", field), example);
+    } else if (!names.insert(channel->name).second) {
+      problems.add(place, "", fmt::format("column \"{}\" stands there twice", channel->name), "");
+    }
+    channels.push_back(channel.value_or(Channel{}));
+  }
+  return channels;
 }
 
 }  // namespace vehicle

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/units/channel.h"
 
 namespace vehicle {
 
@@ -20,10 +24,18 @@ void appendNumber(std::string& line, double value);
 [[nodiscard]] std::optional<std::vector<std::string>> splitFields(std::string_view line);
 
 /// "carbody.z [m]" taken apart; nothing if there is no name or no unit in brackets. A plain number has "[]".
-struct NamedColumn {
-  std::string name;
-  std::string unit;
-};
-[[nodiscard]] std::optional<NamedColumn> columnOf(std::string_view field);
+[[nodiscard]] std::optional<Channel> channelOf(std::string_view field);
+
+/// Most problems that are told of one file.
+inline constexpr std::size_t kMostCsvProblems = 20;
+
+/// Cuts the header off a table: "time [s],carbody.z [m]". A byte-order mark before it is skipped.
+/// Problems, at most kMostCsvProblems: a quote that stays open, a field without name and unit, a name that stands there
+/// twice.
+/// @param file     what messages call the text
+/// @param example  remedy of a field that cannot be read: a header as it should be
+/// @returns one channel a field; empty ones where they cannot be read
+[[nodiscard]] std::vector<Channel> takeHeader(std::string_view& rest, const std::string& file,
+                                              const std::string& example, ProblemList& problems);
 
 }  // namespace vehicle

@@ -1,6 +1,5 @@
 #include "libvehicle/storage/study_database.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,7 +11,8 @@
 #include <fmt/format.h>
 
 #include "libvehicle/diagnostics/problem.h"
-#include "libvehicle/storage/line_diff.h"
+#include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/storage/study_changes.h"
 #include "libvehicle/storage/study_open.h"
 #include "libvehicle/storage/study_tables.h"
 
@@ -32,17 +32,6 @@ constexpr int kLogPages = 4096;  // of the write-ahead log before it is moved in
 constexpr int kCacheKib = 32 * 1024;
 constexpr int kWaitForReaders = 5000;  // [ms]
 
-/// Field by field: g++ 12 takes a braced Problem with formatted texts for one half made.
-void tell(ProblemList& problems, const std::string& file, std::size_t line, std::string message,
-          std::string remedy = "") {
-  Problem problem;
-  problem.place.file = file;
-  problem.place.line = static_cast<int>(line);
-  problem.message = std::move(message);
-  problem.remedy = std::move(remedy);
-  problems.add(std::move(problem));
-}
-
 void requireDistinct(const StudyRecord& record) {
   std::set<std::string> names;
   for (const std::vector<Channel>* list : {&record.parameters, &record.metrics}) {
@@ -60,67 +49,12 @@ void requireRoom(SqliteConnection& connection, const StudyRecord& record) {
   if (values <= most) return;
   ProblemList problems;
   const std::string file = record.inputs.empty() ? "" : record.inputs.front().name;
-  tell(problems, file, 0,
-       fmt::format(
-           "the study makes {} columns ({} parameters, {} metrics over all speeds and scenarios), at most {} fit "
-           "in a row",
-           values, record.parameters.size(), record.metrics.size(), most),
-       "ask for fewer metrics or speeds, or make two studies");
+  problems.add({file, 0}, "",
+               fmt::format("the study makes {} columns ({} parameters, {} metrics over all speeds and scenarios), at "
+                           "most {} fit in a row",
+                           values, record.parameters.size(), record.metrics.size(), most),
+               "ask for fewer metrics or speeds, or make two studies");
   throw InvalidInput(std::move(problems));
-}
-
-void flushFolder(const fs::path& path) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) {
-    ::fsync(handle);
-    ::close(handle);
-  }
-}
-
-/// What has changed in one input file since the study began.
-void tellChanges(const InputFile& before, const InputFile& now, const std::string& shown, ProblemList& problems) {
-  constexpr std::size_t kMost = 20;
-  for (const LineChange& change : lineDiff(before.text, now.text)) {
-    if (problems.size() >= kMost) return;
-    std::string message;
-    if (change.was && change.is) {
-      message = fmt::format("the line was \"{}\" and is now \"{}\"", *change.was, *change.is);
-    } else if (change.is) {
-      message = fmt::format("the line \"{}\" is new", *change.is);
-    } else {
-      message = fmt::format("the line \"{}\" is gone", *change.was);
-    }
-    tell(problems, now.name, change.line, fmt::format("changed since {} was begun: {}", shown, message));
-  }
-}
-
-void requireSame(const StudyRecord& before, const StudyRecord& now, const std::string& shown) {
-  ProblemList problems;
-  for (std::size_t i = 0; i < std::max(before.inputs.size(), now.inputs.size()); ++i) {
-    if (i >= before.inputs.size()) {
-      tell(problems, now.inputs[i].name, 0, fmt::format("was no part of the study when {} was begun", shown));
-    } else if (i >= now.inputs.size()) {
-      tell(problems, before.inputs[i].name, 0, fmt::format("was a part of the study when {} was begun", shown));
-    } else if (before.inputs[i].text != now.inputs[i].text) {
-      const std::size_t count = problems.size();
-      tellChanges(before.inputs[i], now.inputs[i], shown, problems);
-      if (problems.size() > count) continue;
-      tell(problems, now.inputs[i].name, 0, fmt::format("changed since {} was begun: the ends of its lines", shown));
-    }
-  }
-  if (!problems.empty()) {
-    tell(problems, shown, 0, "holds designs of the study as it was", "bring the files back, or write to a new file");
-    throw InvalidInput(std::move(problems));
-  }
-  if (before.program != now.program) {
-    throw RunFailed(
-        fmt::format("{}: was begun by {}, this is {}: their numbers may differ in the last digits; go on with "
-                    "that program, or write to a new file",
-                    shown, before.program, now.program));
-  }
-  if (before.parameters != now.parameters || before.metrics != now.metrics || before.designs != now.designs) {
-    throw RunFailed(fmt::format("{}: holds other columns or another number of designs; write to a new file", shown));
-  }
 }
 
 /// name -> "file:name?immutable=1", with what a URI cannot hold escaped.
@@ -204,7 +138,7 @@ void writeNewFile(const fs::path& path, const StudyRecord& record) {
     fs::remove(temporary, ignored);
     throw RunFailed(fmt::format("{}: cannot be renamed into place: {}", shown, reason));
   }
-  flushFolder(path);
+  flushFolderOf(path);
 }
 
 }  // namespace
@@ -252,7 +186,7 @@ StudyDatabase StudyDatabase::create(const fs::path& path, const StudyRecord& rec
 StudyDatabase StudyDatabase::resume(const fs::path& path, const StudyRecord& now) {
   requireFile(path);
   StudyDatabase database = forWriting(path, std::make_unique<FileLock>(path));
-  requireSame(database.record(), now, path.string());
+  requireSameStudy(database.record(), now, path.string());
   return database;
 }
 

@@ -44,7 +44,7 @@ TEST(DesignList, EveryWrongLineIsTold) {
   study.plan->file = "list.csv";
   const auto problems = [&](const std::string& text) { return planFrom(text, study).problems.text(); };
   EXPECT_EQ(problems("carbody.mass\n1\n"),
-            "list.csv:1: error: column \"carbody.mass\" has no parameter with a unit in brackets; a header reads e.g. "
+            "list.csv:1: error: column \"carbody.mass\" has no name with a unit in brackets; a header reads e.g. "
             "\"secondary.stiffness_z [kN/m],carbody.mass [t]\"\n");
   EXPECT_EQ(problems("carbody.mass [t],carbody.mass [t]\n1,1\n"),
             "list.csv:1: error: column \"carbody.mass\" stands there twice\n");

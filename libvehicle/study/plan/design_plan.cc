@@ -12,23 +12,14 @@ namespace {
 
 constexpr std::uint64_t kMostDesigns = 1'000'000'000;
 
-void tell(ProblemList& problems, const Place& place, std::string element, std::string message, std::string remedy) {
-  Problem problem;
-  problem.place = place;
-  problem.element = std::move(element);
-  problem.message = std::move(message);
-  problem.remedy = std::move(remedy);
-  problems.add(std::move(problem));
-}
-
 /// What a named design sets and a list gives too: the list would undo it.
 void checkListed(const Study& study, const BoundStudy& bound, const DesignList& list, ProblemList& problems) {
   for (std::size_t named = 1; named < bound.designs.size(); ++named) {
     for (const auto& [parameter, value] : bound.designs[named].sets) {
       if (std::find(list.parameters.begin(), list.parameters.end(), parameter) == list.parameters.end()) continue;
-      tell(problems, study.designs[named - 1].origin, "<study><design>",
-           fmt::format("sets {}, which the list of designs gives too", bound.parameters[parameter].address),
-           "leave it out of one of them");
+      problems.add(study.designs[named - 1].origin, "<study><design>",
+                   fmt::format("sets {}, which the list of designs gives too", bound.parameters[parameter].address),
+                   "leave it out of one of them");
     }
   }
 }
@@ -63,9 +54,9 @@ Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignL
     const std::size_t dimensions = saltelli ? 2 * factors : factors;
     made.points_ = saltelli ? size * (factors + 2) : size;
     if (dimensions > SobolSequence::kMostDimensions) {
-      tell(outcome.problems, place, "<study><plan>", fmt::format("varies {} parameters", factors),
-           fmt::format("a Sobol sequence has at most {} dimensions{}", SobolSequence::kMostDimensions,
-                       saltelli ? ", saltelli takes two a parameter" : ""));
+      outcome.problems.add(place, "<study><plan>", fmt::format("varies {} parameters", factors),
+                           fmt::format("a Sobol sequence has at most {} dimensions{}", SobolSequence::kMostDimensions,
+                                       saltelli ? ", saltelli takes two a parameter" : ""));
       return outcome;
     }
     SobolSequence sequence(dimensions, seed);
@@ -77,8 +68,8 @@ Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignL
   }
   made.study_ = std::move(bound);
   if (made.size() > kMostDesigns) {
-    tell(outcome.problems, place, "<study><plan>", "makes more than 1000000000 designs",
-         "take fewer steps, or let latin_hypercube or sobol choose among them");
+    outcome.problems.add(place, "<study><plan>", fmt::format("makes more than {} designs", kMostDesigns),
+                         "take fewer steps, or let latin_hypercube or sobol choose among them");
   }
   if (outcome.problems.empty()) outcome.value = std::move(made);
   return outcome;

@@ -31,6 +31,7 @@
 #include "libvehicle/partition/cut_order.h"
 #include "libvehicle/partition/placement.h"
 #include "libvehicle/partition/run.h"
+#include "libvehicle/partition/stage_by_type.h"
 
 namespace vehicle::bench {
 namespace {
@@ -121,6 +122,16 @@ Design shared(const std::string& name, Scheme scheme, EquationMap map, int threa
             choice.team.threads = threads;
             runPartitioned(problem.system, problem.input, problem.schedule, {.step = kStep}, problem.start, observe,
                            choice);
+          }};
+}
+
+/// The exchange at every stage with the equations by type: one vehicle.
+Design stagesByType(const std::string& name, EquationMap map, int threads) {
+  return {name, threads, [=](const Problem& problem, const Observer& observe) {
+            PartitionChoice choice{.scheme = Scheme::kStages, .map = map, .team = {}};
+            choice.team.threads = threads;
+            runStageExchangeByType(FlatRhs(paperParameters()), problem.system, problem.input, problem.schedule,
+                                   {.step = kStep}, problem.start, observe, choice);
           }};
 }
 
@@ -230,6 +241,9 @@ std::vector<Figure> oneVehicle(int most_threads) {
                                  shared("halo auto", Scheme::kHalo, EquationMap::kAuto, 1)};
   for (int threads = 2; threads <= most_threads; ++threads) {
     designs.push_back(shared("stages auto", Scheme::kStages, EquationMap::kAuto, threads));
+    designs.push_back(stagesByType("stages by type auto", EquationMap::kAuto, threads));
+    if (threads < 4) designs.push_back(stagesByType("stages by type body", EquationMap::kBody, threads));
+    if (threads == 4) designs.push_back(stagesByType("stages by type paper", EquationMap::kPaper, threads));
     if (threads < 4) designs.push_back(shared("stages body", Scheme::kStages, EquationMap::kBody, threads));
     if (threads == 4) designs.push_back(shared("stages paper", Scheme::kStages, EquationMap::kPaper, threads));
     designs.push_back(shared("halo auto", Scheme::kHalo, EquationMap::kAuto, threads));

@@ -7,6 +7,7 @@
 #include "libvehicle/integrate/failure.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
+#include "libvehicle/partition/stage_by_type.h"
 
 namespace vehicle {
 
@@ -48,6 +49,13 @@ PipelineRun runFlatPipeline(const FlatForm& form, const Input& input, const Sche
     Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
     return runPipelined(stepper, u.channels(), sweepRows(u), schedule, step, x, show, team);
   });
+}
+
+PartitionRun runFlatStages(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
+                           std::span<const double> x0, const Observer& observe, const PartitionChoice& choice) {
+  // A printed variant is refused there: it cannot be cut.
+  if (form.rhs() == nullptr) return runPartitioned(form, input, schedule, step, x0, observe, choice);
+  return runStageExchangeByType(*form.rhs(), form, input, schedule, step, x0, observe, choice);
 }
 
 Statistics runFlatDopri5(const FlatForm& form, const Input& input, const Schedule& schedule, Accuracy accuracy,

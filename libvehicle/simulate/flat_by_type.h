@@ -5,6 +5,7 @@
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/pipeline.h"
+#include "libvehicle/partition/run.h"
 
 namespace vehicle {
 
@@ -18,6 +19,10 @@ Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& 
 /// runPipeline() by type.
 PipelineRun runFlatPipeline(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
                             std::span<const double> x0, const Observer& observe, const TeamChoice& team);
+
+/// runStageExchange() by type: a thread's own equations and its step as one.
+PartitionRun runFlatStages(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
+                           std::span<const double> x0, const Observer& observe, const PartitionChoice& choice);
 
 /// runDopri5() by type.
 Statistics runFlatDopri5(const FlatForm& form, const Input& input, const Schedule& schedule, Accuracy accuracy,

@@ -44,6 +44,9 @@ class Sharing {
                         ? runFlatExactSplit(*flat, input, schedule, x0_, observe, team)
                         : runFlatRk4Split(*flat, input, schedule, settings_.step, x0_, observe, team));
       case Scheme::kStages:
+        if (flat == nullptr) break;
+        return made(
+            runFlatStages(*flat, input, schedule, settings_.step, x0_, observe, {scheme, request_.map, team}));
       case Scheme::kHalo:
       case Scheme::kRows:
         break;

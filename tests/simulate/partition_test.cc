@@ -55,6 +55,15 @@ struct Problem {
       return runPartitioned(*system, input, schedule, kStep, rest, observe, choice).statistics;
     });
   }
+  RecordedRun stagesByType(EquationMap map, int threads, std::function<void(int, long)> disturb = {}) const {
+    PartitionChoice choice{.scheme = Scheme::kStages, .map = map, .team = {}};
+    choice.team.threads = threads;
+    choice.team.disturb = std::move(disturb);
+    return record([&](const Observer& observe) {
+      return runFlatStages(dynamic_cast<const FlatForm&>(*system), input, schedule, kStep, rest, observe, choice)
+          .statistics;
+    });
+  }
 };
 
 Problem flatProblem(const Vehicle& vehicle, History history, double duration = 1.0, double speed = 20.0) {
@@ -114,6 +123,29 @@ TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunUnderRandomDelays) {
   }
 }
 
+void expectSerialBitsByType(const Problem& problem, const std::function<void(int, long)>& disturb = {}) {
+  const RecordedRun serial = problem.serial(Scheme::kStages);
+  const auto expectSame = [&](EquationMap map, int threads) {
+    SCOPED_TRACE(std::string("by type, ") + nameOf(map) + " " + std::to_string(threads));
+    const Watchdog watchdog;
+    expectSameBits(problem.stagesByType(map, threads, disturb), serial);
+  };
+  for (int threads = 1; threads <= 4; ++threads) expectSame(EquationMap::kAuto, threads);
+  for (int threads = 1; threads <= 3; ++threads) expectSame(EquationMap::kBody, threads);
+  expectSame(EquationMap::kPaper, 4);
+}
+
+TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunWithTheEquationsByType) {
+  expectSerialBitsByType(flatProblem(paperVehicle(), History::kOnset));
+  expectSerialBitsByType(flatProblem(paperVehicle(), History::kExtended));
+  expectSerialBitsByType(flatProblem(asymmetricVehicle(), History::kOnset));
+}
+
+TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunByTypeUnderRandomDelays) {
+  const Problem problem = flatProblem(asymmetricVehicle(), History::kOnset, 0.5);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) expectSerialBitsByType(problem, randomDelays(seed));
+}
+
 // The speeds of the reference sweep; other speeds are other kinks and other step lengths.
 TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunFrom20To150KilometresAnHour) {
   for (int kmh = 20; kmh <= 150; kmh += 10) {
@@ -123,6 +155,8 @@ TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunFrom20To150KilometresAnHour) 
                       {Scheme::kHalo, EquationMap::kAuto, 2},
                       {Scheme::kRows, EquationMap::kAuto, 2},
                       {Scheme::kPipeline, EquationMap::kAuto, 2}});
+    const Problem problem = flatProblem(paperVehicle(), History::kOnset, 0.7, kmh / 3.6);
+    expectSameBits(problem.stagesByType(EquationMap::kBody, 2), problem.serial(Scheme::kStages));
   }
 }
 

@@ -6,6 +6,8 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vehicle::test {
@@ -99,7 +101,7 @@ fs::path targetOf(const fs::path& page, const Link& link) {
 
 /// Words of a line that might be paths, with the place where each begins.
 std::vector<std::pair<std::size_t, std::string>> wordsOf(const std::string& line) {
-  constexpr std::string_view kMarks = "_-./*<>{},";
+  static constexpr std::string_view kMarks = "_-./*<>{},";
   const auto isOfPath = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || kMarks.find(c) != std::string_view::npos;
   };

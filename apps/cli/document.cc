@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -68,30 +69,114 @@ std::size_t widthOf(const std::string& text) {
 
 bool isNumber(const Cell& cell) { return std::holds_alternative<double>(cell) || std::holds_alternative<long>(cell); }
 
-void printForEyes(const Table& table, std::ostream& out) {
-  const std::size_t columns = table.columns.size();
-  std::vector<std::size_t> width(columns);
-  std::vector<bool> right(columns);
-  for (std::size_t j = 0; j < columns; ++j) {
-    width[j] = widthOf(headerOf(table.columns[j]));
+constexpr std::size_t kPageWidth = 120;
+constexpr std::size_t kFoldedHeader = 15;  // narrower, a header makes too many lines
+
+/// A header where it may be broken: "secondary_front." "deflection." "rms " "[mm]".
+std::vector<std::string> piecesOf(const std::string& header) {
+  std::vector<std::string> pieces(1);
+  for (const char letter : header) {
+    pieces.back() += letter;
+    if (letter == '.' || letter == ' ') pieces.emplace_back();
+  }
+  return pieces;
+}
+
+std::string trimmed(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+/// A column as it is printed: its texts, and how wide they are.
+struct EyeColumn {
+  std::vector<std::string> header;  // lines
+  std::vector<std::string> texts;   // (rows)
+  std::size_t width = 0;
+  bool right = false;
+
+  EyeColumn(const Table& table, std::size_t j) : header{headerOf(table.columns[j])} {
     for (const std::vector<Cell>& row : table.rows) {
-      width[j] = std::max(width[j], widthOf(forEyes(row[j])));
-      right[j] = right[j] || isNumber(row[j]);
+      texts.push_back(forEyes(row[j]));
+      right = right || isNumber(row[j]);
+    }
+    measure();
+  }
+
+  void measure() {
+    width = 0;
+    for (const std::vector<std::string>* lines : {&header, &texts}) {
+      for (const std::string& each : *lines) width = std::max(width, widthOf(each));
     }
   }
+
+  /// Breaks the header into few lines that are not much wider than the column's texts.
+  void fold() {
+    const std::vector<std::string> pieces = piecesOf(header.front());
+    std::size_t most = kFoldedHeader;
+    for (const std::string& each : texts) most = std::max(most, widthOf(each));
+    for (const std::string& each : pieces) most = std::max(most, widthOf(trimmed(each)));
+    std::vector<std::string> lines(1);
+    for (const std::string& each : pieces) {
+      if (!lines.back().empty() && widthOf(trimmed(lines.back() + each)) > most) lines.emplace_back();
+      lines.back() += each;
+    }
+    header.clear();
+    for (const std::string& each : lines) header.push_back(trimmed(each));
+    measure();
+  }
+};
+
+std::size_t widthOf(const std::vector<EyeColumn>& columns, const std::vector<std::size_t>& chosen) {
+  std::size_t width = 0;
+  for (const std::size_t j : chosen) width += 2 + columns[j].width;
+  return width;
+}
+
+void printForEyes(const std::vector<EyeColumn>& columns, const std::vector<std::size_t>& chosen, std::ostream& out) {
   const auto print_line = [&](auto text_of) {
     std::string line;
-    for (std::size_t j = 0; j < columns; ++j) {
-      const std::string text = text_of(j);
-      const std::string padding(width[j] - widthOf(text), ' ');
-      line += "  " + (right[j] ? padding + text : text + padding);
+    for (const std::size_t j : chosen) {
+      const std::string text = text_of(columns[j]);
+      const std::string padding(columns[j].width - widthOf(text), ' ');
+      line += "  " + (columns[j].right ? padding + text : text + padding);
     }
-    line.erase(line.find_last_not_of(' ') + 1);
-    out << line << '\n';
+    out << trimmed(std::move(line)) << '\n';
   };
+  std::size_t lines = 0;
+  for (const std::size_t j : chosen) lines = std::max(lines, columns[j].header.size());
+  for (std::size_t line = 0; line < lines; ++line) {
+    print_line([&](const EyeColumn& column) {
+      const std::size_t above = lines - column.header.size();  // headers stand on the rows
+      return line < above ? std::string() : column.header[line - above];
+    });
+  }
+  for (std::size_t row = 0; row < columns.front().texts.size(); ++row) {
+    print_line([&](const EyeColumn& column) { return column.texts[row]; });
+  }
+}
+
+void printForEyes(const Table& table, std::ostream& out) {
+  std::vector<EyeColumn> columns;
+  std::vector<std::size_t> all;
+  for (std::size_t j = 0; j < table.columns.size(); ++j) {
+    columns.emplace_back(table, j);
+    all.push_back(j);
+  }
+  if (widthOf(columns, all) > kPageWidth) {
+    for (EyeColumn& each : columns) each.fold();
+  }
   out << table.name << '\n';
-  print_line([&](std::size_t j) { return headerOf(table.columns[j]); });
-  for (const std::vector<Cell>& row : table.rows) print_line([&](std::size_t j) { return forEyes(row[j]); });
+  if (table.key_columns == 0 || widthOf(columns, all) <= kPageWidth) return printForEyes(columns, all, out);
+  const auto keys = static_cast<std::ptrdiff_t>(table.key_columns);
+  std::vector<std::size_t> part(all.begin(), all.begin() + keys);
+  for (std::size_t j = table.key_columns; j < columns.size(); ++j) {
+    part.push_back(j);
+    const bool last = j + 1 == columns.size();
+    if (!last && widthOf(columns, part) + 2 + columns[j + 1].width <= kPageWidth) continue;
+    printForEyes(columns, part, out);
+    if (!last) out << '\n';
+    part.resize(table.key_columns);
+  }
 }
 
 void printForEyes(const Document& document, std::ostream& out) {

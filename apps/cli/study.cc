@@ -16,7 +16,9 @@ namespace vehicle::cli {
 Action addStudy(CLI::App& program) {
   const auto options = std::make_shared<StudyOptions>();
   CLI::App* command = program.add_subcommand("study", "compare many designs of a vehicle, and keep every one");
-  command->add_option("study", options->study, "study file, e.g. models/studies/secondary-suspensions.xml; or the word show")
+  command
+      ->add_option("study", options->study,
+                   "study file, e.g. models/studies/secondary-suspensions.xml; or the word show")
       ->type_name("STUDY|show")
       ->required();
   command->add_option("database", options->shown, "after show: a database that a study has written")
@@ -48,7 +50,8 @@ Action addStudy(CLI::App& program) {
       return showStudy(*options);
     }
     if (!options->shown.empty()) {
-      throw std::invalid_argument(fmt::format("study: \"{}\" is one file too many; only `study show` takes a second", options->shown));
+      throw std::invalid_argument(
+          fmt::format("study: \"{}\" is one file too many; only `study show` takes a second", options->shown));
     }
     if (options->database.empty()) {
       throw std::invalid_argument("study: --output is missing, e.g. --output study.sqlite: every design is kept there");

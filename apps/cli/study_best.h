@@ -3,16 +3,21 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/study/study_inputs.h"
+#include "apps/cli/study_files.h"
 #include "libvehicle/study/summary.h"
 
 namespace vehicle::cli {
 
-/// Writes the best designs of each objective as vehicle files: FOLDER/OBJECTIVE-RANK.xml. Without objectives these are the
-/// named designs, FOLDER/NAME.xml. The folder is made if it is not there.
+/// Makes the folder of --write-best and asks whether files may be written there.
+/// @throws RunFailed
+void requireFolder(const std::string& folder);
+
+/// Writes the best designs of each objective as vehicle files: FOLDER/OBJECTIVE-RANK.xml. Without objectives these are
+/// the named designs, FOLDER/NAME.xml. A train is written as its own file and those of its vehicles,
+/// FOLDER/NAME-UNIT.xml.
 /// @returns the files written
-/// @throws std::invalid_argument  the study's vehicle is a train
+/// @throws std::invalid_argument  a train's file cannot hold a design
 /// @throws RunFailed              a file cannot be written
-std::vector<std::string> writeBest(const std::string& folder, const StudySummary& summary, const StudyInputs& inputs);
+std::vector<std::string> writeBest(const std::string& folder, const StudySummary& summary, const StudyWork& work);
 
 }  // namespace vehicle::cli

@@ -2,7 +2,6 @@
 
 #include <stdlib.h>
 
-#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <set>
@@ -32,13 +31,12 @@ class Gatherer {
     return std::move(outcome.value);
   }
 
-  /// Keeps the text of a file, once.
-  std::string keep(const std::string& path) {
-    if (!kept_.insert(fs::path(path).lexically_normal().string()).second) return {};
-    const std::optional<std::string> text = take(readFile(path));
+  /// Keeps the text of a file, once. Why there is none, its reader tells.
+  void keep(const std::string& path) {
+    if (!kept_.insert(fs::path(path).lexically_normal().string()).second) return;
+    const Outcome<std::string> text = readFile(path);
     const fs::path near = fs::path(path).lexically_normal().lexically_relative(folder_);
-    if (text) texts_.push_back({near.empty() ? path : near.string(), *text});
-    return text.value_or("");
+    if (text.value) texts_.push_back({near.empty() ? path : near.string(), *text.value});
   }
 
   void requireNone() {
@@ -86,8 +84,10 @@ StudyWork readStudyWork(const std::string& file) {
   gather.keep(vehicle_file);
   std::optional<Vehicle> vehicle = gather.take(readVehicle(vehicle_file));
   // A train's vehicles stand in other files.
-  if (vehicle) {
+  std::optional<Train> train;
+  if (vehicle && !vehicle->units.empty()) {
     for (const Body& body : vehicle->bodies) gather.keep(body.origin.file);
+    train = gather.take(readTrain(vehicle_file));
   }
   for (const FileReference& named : study->scenarios) {
     const std::string path = resolvePath(file, named.file);
@@ -98,7 +98,8 @@ StudyWork readStudyWork(const std::string& file) {
   std::string list_text;
   if (study->plan && study->plan->kind == PlanKind::kList) {
     list_file = resolvePath(file, study->plan->file);
-    list_text = gather.keep(list_file);
+    gather.keep(list_file);
+    list_text = gather.take(readFile(list_file)).value_or("");
   }
   gather.requireNone();
 
@@ -110,7 +111,7 @@ StudyWork readStudyWork(const std::string& file) {
   DesignList list;
   if (!list_file.empty()) list = readDesignList(list_text, list_file, inputs.bound).orThrow();
   DesignPlan plan = DesignPlan::of(inputs.study, inputs.bound, std::move(list)).orThrow();
-  return {std::move(inputs), std::move(plan), gather.takeTexts()};
+  return {std::move(inputs), std::move(train), std::move(plan), gather.takeTexts()};
 }
 
 StudyWork restoreStudyWork(const StudyRecord& record) {
@@ -122,7 +123,8 @@ StudyWork restoreStudyWork(const StudyRecord& record) {
     const fs::path place = (folder / each.name).lexically_normal();
     const fs::path inside = place.lexically_relative(passing.path());
     if (inside.empty() || *inside.begin() == "..") {
-      throw RunFailed(fmt::format("the file {} of the study cannot be laid out again; its name leads elsewhere", each.name));
+      throw RunFailed(
+          fmt::format("the file {} of the study cannot be laid out again; its name leads elsewhere", each.name));
     }
     fs::create_directories(place.parent_path());
     std::ofstream(place, std::ios::binary) << each.text;

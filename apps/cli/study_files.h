@@ -1,9 +1,10 @@
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "libvehicle/definition/train.h"
 #include "libvehicle/storage/study_database.h"
 #include "libvehicle/study/plan/design_plan.h"
 #include "libvehicle/study/study_inputs.h"
@@ -13,6 +14,7 @@ namespace vehicle::cli {
 /// A study with everything that it names, and the texts of all these files, the study's own first.
 struct StudyWork {
   StudyInputs inputs;
+  std::optional<Train> train;  // as its file says it, where the study's vehicle is one
   DesignPlan plan;
   std::vector<InputFile> texts;  // named as they lie about the study's file: "study.xml", "../vehicles/coach.xml"
 };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "libvehicle/study/compare/verdict.h"
+#include "apps/cli/study_influences.h"
+#include "apps/cli/study_units.h"
 
 namespace vehicle::cli {
 namespace {
@@ -16,6 +18,8 @@ constexpr std::size_t kMostAsColumns = 6;      // designs side by side
 constexpr std::size_t kMostMetricColumns = 6;  // metrics of a design in one line
 
 double changeOf(double value, double base) { return 100.0 * (value / base - 1.0); }
+
+using Row = std::vector<Cell>;
 
 class Tables {
  public:
@@ -34,6 +38,7 @@ class Tables {
     if (!summary.compared.empty() && summary.compared.front().id == 0 && !summary.compared.front().failed()) {
       base_ = &summary.compared.front();
     }
+    chooseUnits();
   }
 
   Document document() {
@@ -41,11 +46,13 @@ class Tables {
     compare(made);
     for (std::size_t i = 0; i < summary_.best.size(); ++i) {
       const BoundObjective& objective = bound_.objectives[i];
-      const char* goal = objective.goal == Goal::kMinimise ? "smallest " : "largest ";
-      made.tables.push_back(designs(goal + nameOf(objective), summary_.best[i]));
+      std::string name = objective.goal == Goal::kMinimise ? "smallest " : "largest ";
+      name += nameOf(objective);
+      if (!bound_.limits.empty()) name += " within the limits";
+      made.tables.push_back(designs(std::move(name), summary_.best[i], false));
     }
     front(made);
-    influences(made);
+    addInfluences(summary_, bound_, for_eyes_ ? Format::kTable : Format::kCsv, made);
     failures(made);
     return made;
   }
@@ -59,6 +66,29 @@ class Tables {
     return fmt::format("{}, {} of {}", name, objective.over == Over::kMean ? "mean" : "worst", cases);
   }
 
+  /// One unit a parameter and one a metric, the same in every table; SI for other programs.
+  void chooseUnits() {
+    std::vector<double> largest(parameters_.size() + bound_.metrics.size(), 0.0);
+    const auto see = [&](const JudgedDesign& each) {
+      for (std::size_t i = 0; i < parameters_.size(); ++i) {
+        largest[i] = std::max(largest[i], std::abs(each.parameters[i]));
+      }
+      for (std::size_t i = 0; i < each.metrics.size(); ++i) {
+        double& own = largest[parameters_.size() + columns_[i].metric];
+        own = std::max(own, std::abs(each.metrics[i]));
+      }
+    };
+    if (for_eyes_) std::for_each(summary_.compared.begin(), summary_.compared.end(), see);
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+      parameter_units_.push_back(shownUnit(parameters_[i].unit, largest[i]));
+    }
+    for (std::size_t i = 0; i < bound_.metrics.size(); ++i) {
+      metric_units_.push_back(shownUnit(bound_.metrics[i].unit, largest[parameters_.size() + i]));
+    }
+  }
+
+  const ShownUnit& unitOf(std::size_t column) const { return metric_units_[columns_[column].metric]; }
+
   bool breaksLimit(std::size_t column, double value) const {
     return std::any_of(broken_by_[column].begin(), broken_by_[column].end(), [&](std::size_t number) {
       const BoundLimit& limit = bound_.limits[number];
@@ -66,14 +96,15 @@ class Tables {
     });
   }
 
-  Cell eyesOn(std::size_t column, const JudgedDesign& design) const {
-    if (design.failed()) return std::string("failed");
+  /// A metric with its change, in columns of their own width so that values stand below each other.
+  std::string eyesOn(std::size_t column, const JudgedDesign& design) const {
+    if (design.failed()) return "failed";
     const double value = design.metrics[column];
-    std::string text = fmt::format("{:.5g}", value);
-    if (base_ != nullptr && &design != base_ && design.id != 0 && base_->metrics[column] != 0.0) {
+    std::string text = fmt::format("{:.5g}", value * unitOf(column).factor + 0.0);
+    if (base_ != nullptr && design.id != 0 && base_->metrics[column] != 0.0) {
       text += fmt::format(" ({:+.1f} %)", changeOf(value, base_->metrics[column]));
     }
-    if (breaksLimit(column, value)) text += " !";
+    if (!bound_.limits.empty()) text += breaksLimit(column, value) ? " !" : "  ";
     return text;
   }
 
@@ -83,76 +114,106 @@ class Tables {
     } else if (summary_.compared.size() <= kMostAsColumns) {
       made.tables.push_back(sideBySide());
     } else {
-      made.tables.push_back(designs("designs", summary_.compared));
+      made.tables.push_back(designs("designs", summary_.compared, !bound_.limits.empty()));
     }
-    const bool marked = for_eyes_ && std::any_of(summary_.compared.begin(), summary_.compared.end(), [](const auto& each) {
-      return !each.failed() && !each.keepsLimits();
-    });
+    const auto breaks = [](const JudgedDesign& each) { return !each.failed() && !each.keepsLimits(); };
+    const bool marked = for_eyes_ && std::any_of(summary_.compared.begin(), summary_.compared.end(), breaks);
     if (marked) made.remarks.push_back("! breaks a limit");
   }
 
-  /// Metrics below each other, one column a design.
+  /// Parameters and metrics below each other, one column a design.
   Table sideBySide() const {
-    Table table{"comparison", {{"metric", ""}, {"unit", ""}}, {}};
+    Table table{"comparison", {{"quantity", ""}, {"unit", ""}}, {}, 2};
     for (const JudgedDesign& each : summary_.compared) table.columns.push_back({each.name, ""});
     for (std::size_t p = 0; p < parameters_.size(); ++p) {
-      std::vector<Cell> row{parameters_[p].name, parameters_[p].unit};
-      for (const JudgedDesign& each : summary_.compared) row.emplace_back(each.parameters[p]);
-      table.rows.push_back(std::move(row));
+      Row& row = table.rows.emplace_back();
+      row.emplace_back(parameters_[p].name);
+      row.emplace_back(parameter_units_[p].name);
+      for (const JudgedDesign& each : summary_.compared) {
+        const double value = each.parameters[p] * parameter_units_[p].factor;
+        if (bound_.limits.empty()) {
+          row.emplace_back(value);
+        } else {
+          row.emplace_back(fmt::format("{:.5g}  ", value));  // as wide as with a mark
+        }
+      }
     }
     for (std::size_t column = 0; column < columns_.size(); ++column) {
-      std::vector<Cell> row{columns_[column].channel.name, columns_[column].channel.unit};
-      for (const JudgedDesign& each : summary_.compared) row.push_back(eyesOn(column, each));
-      table.rows.push_back(std::move(row));
+      Row& row = table.rows.emplace_back();
+      row.emplace_back(columns_[column].channel.name);
+      row.emplace_back(unitOf(column).name);
+      for (const JudgedDesign& each : summary_.compared) row.emplace_back(eyesOn(column, each));
     }
     return table;
   }
 
-  /// One line a design and metric, for other programs.
+  /// One line a design and number, for other programs.
   Table everyNumber() const {
-    Table table{"comparison",
-                {{"design", ""}, {"name", ""}, {"metric", ""}, {"unit", ""}, {"value", ""}, {"change", "%"},
-                 {"keeps limit", ""}},
-                {}};
+    Table table{"comparison", {{"design", ""}, {"name", ""}, {"quantity", ""}, {"unit", ""}, {"value", ""}}, {}};
+    table.columns.push_back({"change", "%"});
+    table.columns.push_back({"keeps limit", ""});
     for (const JudgedDesign& each : summary_.compared) {
+      const auto tell = [&](const Channel& channel, double value, std::optional<double> change,
+                            std::optional<bool> keeps) {
+        Row& row = table.rows.emplace_back();
+        row.emplace_back(static_cast<long>(each.id));
+        row.emplace_back(each.name);
+        row.emplace_back(channel.name);
+        row.emplace_back(channel.unit);
+        row.emplace_back(value);
+        addCell(row, change);
+        addCell(row, keeps);
+      };
+      for (std::size_t p = 0; p < parameters_.size(); ++p) tell(parameters_[p], each.parameters[p], {}, {});
       for (std::size_t column = 0; column < columns_.size() && !each.failed(); ++column) {
         const double value = each.metrics[column];
-        Cell change;
+        std::optional<double> change;
         if (base_ != nullptr && base_->metrics[column] != 0.0) change = changeOf(value, base_->metrics[column]);
-        Cell keeps;
+        std::optional<bool> keeps;
         if (!broken_by_[column].empty()) keeps = !breaksLimit(column, value);
-        table.rows.push_back({static_cast<long>(each.id), each.name, columns_[column].channel.name,
-                              columns_[column].channel.unit, value, change, keeps});
+        tell(columns_[column].channel, value, change, keeps);
       }
     }
     return table;
   }
 
   /// One line a design: parameters, objectives, and the metrics where they are few.
-  Table designs(std::string name, const std::vector<JudgedDesign>& list) const {
-    Table table{std::move(name), {{"design", ""}, {"name", ""}}, {}};
-    for (const Channel& each : parameters_) table.columns.push_back({each.name, each.unit});
+  Table designs(std::string name, const std::vector<JudgedDesign>& list, bool judged) const {
+    Table table{std::move(name), {{"design", ""}, {"name", ""}}, {}, 2};
+    for (std::size_t p = 0; p < parameters_.size(); ++p) {
+      table.columns.push_back({parameters_[p].name, parameter_units_[p].name});
+    }
     const bool with_metrics = columns_.size() <= kMostMetricColumns || bound_.objectives.empty() || !for_eyes_;
     for (const BoundObjective& each : bound_.objectives) {
-      if (!with_metrics) table.columns.push_back({nameOf(each), bound_.metrics[each.metric].unit});
+      if (!with_metrics) table.columns.push_back({nameOf(each), metric_units_[each.metric].name});
     }
-    for (const MetricColumn& each : columns_) {
-      if (with_metrics) table.columns.push_back({each.channel.name, each.channel.unit});
+    for (std::size_t column = 0; column < columns_.size() && with_metrics; ++column) {
+      table.columns.push_back({columns_[column].channel.name, unitOf(column).name});
     }
-    table.columns.push_back({"limits", ""});
+    if (judged || !for_eyes_) table.columns.push_back({"limits", ""});
     for (const JudgedDesign& each : list) {
-      std::vector<Cell> row{static_cast<long>(each.id), each.name};
-      row.insert(row.end(), each.parameters.begin(), each.parameters.end());
-      if (!with_metrics) {
-        for (std::size_t i = 0; i < bound_.objectives.size(); ++i) {
-          row.push_back(each.failed() ? Cell() : Cell(each.objectives[i]));
-        }
+      Row& row = table.rows.emplace_back();
+      row.emplace_back(static_cast<long>(each.id));
+      row.emplace_back(each.name);
+      for (std::size_t p = 0; p < parameters_.size(); ++p) {
+        row.emplace_back(each.parameters[p] * parameter_units_[p].factor);
+      }
+      for (std::size_t i = 0; i < bound_.objectives.size() && !with_metrics; ++i) {
+        std::optional<double> value;
+        if (!each.failed()) value = each.objectives[i] * metric_units_[bound_.objectives[i].metric].factor;
+        addCell(row, value);
       }
       for (std::size_t column = 0; column < columns_.size() && with_metrics; ++column) {
-        row.push_back(for_eyes_ ? eyesOn(column, each) : each.failed() ? Cell() : Cell(each.metrics[column]));
+        if (for_eyes_) {
+          row.emplace_back(eyesOn(column, each));
+        } else if (each.failed()) {
+          row.emplace_back();
+        } else {
+          row.emplace_back(each.metrics[column]);
+        }
       }
-      row.push_back(std::string(each.failed() ? "failed" : each.keepsLimits() ? "kept" : "broken"));
-      table.rows.push_back(std::move(row));
+      const char* verdict = each.failed() ? "failed" : each.keepsLimits() ? "kept" : "broken";
+      if (judged || !for_eyes_) row.emplace_back(std::string(verdict));
     }
     return table;
   }
@@ -168,45 +229,16 @@ class Tables {
       made.remarks.push_back(fmt::format("the Pareto front has {} designs; {} of them are shown, evenly spaced",
                                          summary_.front.size(), kMostInFront));
     }
-    made.tables.push_back(designs("Pareto front", shown));
-  }
-
-  void influences(Document& made) const {
-    Table table{"what the factors do", {{"metric", ""}, {"factor", ""}}, {}};
-    const bool indices = std::any_of(summary_.influences.begin(), summary_.influences.end(),
-                                     [](const Influence& each) { return !each.indices.indices.empty(); });
-    if (indices) {
-      for (const char* name : {"first-order index", "95 % from", "to", "total index", "95 % from", "to"}) {
-        table.columns.push_back({name, ""});
-      }
-    }
-    for (const char* name : {"correlation", "regression"}) table.columns.push_back({name, ""});
-    for (const Influence& each : summary_.influences) {
-      for (std::size_t factor = 0; factor < bound_.factors.size(); ++factor) {
-        std::vector<Cell> row{each.output, bound_.factors[factor].name};
-        if (indices && each.indices.indices.empty()) row.resize(row.size() + 6);
-        if (indices && !each.indices.indices.empty()) {
-          const SensitivityIndex& index = each.indices.indices[factor];
-          for (const Estimate& estimate : {index.first, index.total}) {
-            row.insert(row.end(), {estimate.value, estimate.low, estimate.high});
-          }
-        }
-        row.emplace_back(each.correlations[factor]);
-        row.push_back(each.fit ? Cell(each.fit->coefficients[factor]) : Cell());
-        table.rows.push_back(std::move(row));
-      }
-      if (each.fit) {
-        made.remarks.push_back(
-            fmt::format("{}: straight lines explain {:.1f} % of its variance", each.output, 100.0 * each.fit->explained));
-      }
-    }
-    made.tables.push_back(std::move(table));
+    made.tables.push_back(designs("Pareto front", shown, false));
   }
 
   void failures(Document& made) const {
     Table table{"failed designs", {{"design", ""}, {"name", ""}, {"why", ""}}, {}};
     for (const JudgedDesign& each : summary_.failures) {
-      table.rows.push_back({static_cast<long>(each.id), each.name, each.message});
+      Row& row = table.rows.emplace_back();
+      row.emplace_back(static_cast<long>(each.id));
+      row.emplace_back(each.name);
+      row.emplace_back(each.message);
     }
     made.tables.push_back(std::move(table));
     if (summary_.failed > summary_.failures.size()) {
@@ -219,6 +251,8 @@ class Tables {
   const BoundStudy& bound_;
   std::vector<MetricColumn> columns_;
   std::vector<Channel> parameters_;
+  std::vector<ShownUnit> parameter_units_;  // (parameters)
+  std::vector<ShownUnit> metric_units_;     // (metrics)
   bool for_eyes_;
   std::vector<std::vector<std::size_t>> broken_by_;  // (columns) limits on each
   const JudgedDesign* base_ = nullptr;

@@ -6,9 +6,10 @@
 
 namespace vehicle::cli {
 
-/// A study as a document: the designs compared with the first one ("base"), the best of each objective, the Pareto front,
-/// what the factors do, and designs that failed. For eyes a cell holds the value, its difference to `base` in percent and
-/// a "!" where a limit is broken; for csv and json every number has a cell of its own.
+/// A study as a document: the designs compared with the first one ("base"), the best of each objective, the Pareto
+/// front, what the factors do, and designs that failed. For eyes a cell holds the value in a unit that is read easily,
+/// its difference to `base` in percent and a "!" where a limit is broken; for csv and json every number is SI and has a
+/// cell of its own.
 [[nodiscard]] Document documentOf(const StudySummary& summary, const StudyInputs& inputs, Format format);
 
 }  // namespace vehicle::cli

@@ -1,7 +1,9 @@
 #include "apps/cli/study_work.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "apps/cli/study_best.h"
 #include "apps/cli/study_files.h"
 #include "apps/cli/study_tables.h"
+#include "libvehicle/storage/atomic_file.h"
 #include "libvehicle/study/runner.h"
 #include "libvehicle/study/search/search_study.h"
 #ifdef VEHICLE_WITH_MPI
@@ -40,6 +43,34 @@ int help(const StudyOptions& options, Executor& executor) {
   }
 }
 
+/// A word as a shell takes it.
+std::string quoted(const std::string& word) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return text + "'";
+}
+
+std::string goOnWith(const StudyOptions& options) {
+  return fmt::format("Go on with:\n  vehicle study {} --output {} --resume", quoted(options.study),
+                     quoted(options.database));
+}
+
+/// Where nothing can be written, that is told before hours of work.
+void requireTargets(const StudyOptions& options) {
+  if (std::filesystem::is_directory(options.database)) {
+    throw std::invalid_argument(fmt::format("--output: {} is a folder; name a file in it", options.database));
+  }
+  if (!options.resume && std::filesystem::exists(options.database)) {
+    throw std::invalid_argument(fmt::format(
+        "--output: {} exists already; go on with it by --resume, or name another file", options.database));
+  }
+  if (!options.csv.empty()) const AtomicFile probe(options.csv);
+  if (!options.best_folder.empty()) requireFolder(options.best_folder);
+}
+
 StudyOutcome evaluate(const StudyOptions& options, const StudyWork& work, Executor& executor) {
   const StudyTarget target{options.database, options.resume, "vehicle " VEHICLE_VERSION, work.texts};
   const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
@@ -50,15 +81,20 @@ StudyOutcome evaluate(const StudyOptions& options, const StudyWork& work, Execut
     if (!bar) bar = std::make_unique<ProgressBar>(shown, missing, "designs");
     return bar->update(missing > 0.0 ? static_cast<double>(progress.evaluated) / missing : 1.0, "study");
   };
+  const bool is_new = !std::filesystem::exists(options.database);
   try {
     return work.inputs.study.search ? searchStudy(work.inputs, work.plan, target, executor, watch)
                                     : runStudy(work.inputs, work.plan, target, executor, watch);
   } catch (const InvalidInput& wrong) {
     throw InvalidInput(asSeenFromHere(wrong.problems(), options.study));
+  } catch (const RunFailed& failed) {
+    // A file that has been begun keeps what it holds.
+    if (!is_new || !std::filesystem::exists(options.database)) throw;
+    throw RunFailed(fmt::format("{}. {}", failed.what(), goOnWith(options)));
   }
 }
 
-void show(const StudyOptions& options, const std::string& path, const StudyWork& work, Document document) {
+StudySummary show(const StudyOptions& options, const std::string& path, const StudyWork& work, Document document) {
   const StudyDatabase database = StudyDatabase::read(path);
   SummaryChoice choice;
   choice.best = static_cast<std::size_t>(options.best);
@@ -72,13 +108,24 @@ void show(const StudyOptions& options, const std::string& path, const StudyWork&
   Document told = documentOf(summary, work.inputs, options.common.format);
   document.tables = std::move(told.tables);
   document.remarks.insert(document.remarks.end(), told.remarks.begin(), told.remarks.end());
-  if (!options.csv.empty()) database.writeCsv(options.csv);
-  std::vector<std::string> written;
-  if (!options.best_folder.empty()) written = writeBest(options.best_folder, summary, work.inputs);
   print(document, options.common.format, std::cout);
-  if (options.common.quiet) return;
-  if (!options.csv.empty()) std::cerr << fmt::format("written: {}\n", options.csv);
-  for (const std::string& each : written) std::cerr << fmt::format("written: {}\n", each);
+  std::cout.flush();
+  const auto remark = [&](const std::string& text) {
+    if (!options.common.quiet) std::cerr << text << '\n';
+  };
+  if (!options.csv.empty()) {
+    database.writeCsv(options.csv);
+    remark("written: " + options.csv);
+  }
+  if (options.best_folder.empty()) return summary;
+  requireFolder(options.best_folder);
+  const std::vector<std::string> written = writeBest(options.best_folder, summary, work);
+  for (const std::string& each : written) remark("written: " + each);
+  if (written.empty()) {
+    remark(summary.best.empty() ? "--write-best: nothing is written: the study has neither objectives nor named designs"
+                                : "--write-best: nothing is written: no design keeps the limits");
+  }
+  return summary;
 }
 
 Document headOf(const StudyWork& work, const std::string& database) {
@@ -95,6 +142,7 @@ int runStudyFile(const StudyOptions& options) {
   const std::unique_ptr<Executor> executor = executorOf(options);
   if (!executor->leads()) return help(options, *executor);
   const StudyWork work = readStudyWork(options.study);
+  requireTargets(options);
   Document document = headOf(work, options.database);
   document.remarks.push_back(StudyEvaluator(work.inputs).path().text);
 
@@ -106,11 +154,15 @@ int runStudyFile(const StudyOptions& options) {
   if (done.evaluated > 0) {
     document.facts.push_back({"rate", static_cast<double>(done.evaluated) / done.seconds, "designs/s"});
   }
-  show(options, options.database, work, std::move(document));
-  if (outcome.ending == Ending::kFinished) return kDone;
-  std::cerr << fmt::format("vehicle: interrupted; {} of {} designs are kept. Go on with:\n  vehicle study {} --output {} --resume\n",
-                           done.before + done.evaluated, done.designs, options.study, options.database);
-  return kInterrupted;
+  const StudySummary summary = show(options, options.database, work, std::move(document));
+  if (outcome.ending != Ending::kFinished) {
+    std::cerr << fmt::format("vehicle: interrupted; {} of {} designs are kept. {}\n", done.before + done.evaluated,
+                             done.designs, goOnWith(options));
+    return kInterrupted;
+  }
+  if (summary.failed < summary.designs) return kDone;
+  std::cerr << fmt::format("vehicle: every design of the study failed: {}\n", summary.failures.front().message);
+  return kRunFailed;
 }
 
 int showStudy(const StudyOptions& options) {
@@ -118,7 +170,7 @@ int showStudy(const StudyOptions& options) {
   const StudyWork work = restoreStudyWork(record);
   Document document = headOf(work, options.shown);
   document.facts.push_back({"written by", record.program, ""});
-  show(options, options.shown, work, std::move(document));
+  static_cast<void>(show(options, options.shown, work, std::move(document)));
   return kDone;
 }
 

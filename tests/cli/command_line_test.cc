@@ -8,7 +8,8 @@
 namespace vehicle::test {
 namespace {
 
-const std::vector<std::string> kCommands = {"check", "info", "simulate", "modes", "validate", "profile", "schema"};
+const std::vector<std::string> kCommands = {"check",    "info",    "simulate", "modes",
+                                            "validate", "profile", "study",    "schema"};
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -38,6 +39,19 @@ TEST(CommandLine, HelpOfSimulateTellsUnitsChoicesAndDefaults) {
                            "(default: \"1 ms\")", ".csv or .h5", "--accuracy NUMBER"}) {
     EXPECT_TRUE(has(help, part)) << part << "\nis not in\n" << help;
   }
+}
+
+TEST(CommandLine, EveryOptionOfStudyTellsItsDefault) {
+  const std::string help = runVehicle({"study", "--help"}).out;
+  std::size_t options = 0;
+  for (std::size_t at = help.find("\n  --"); at != std::string::npos; at = help.find("\n  --", at + 1)) {
+    const std::string line = help.substr(at + 1, help.find('\n', at + 1) - at - 1);
+    ++options;
+    if (has(line, "--help") || has(line, "--quiet")) continue;
+    EXPECT_TRUE(has(line, "(default: ") || has(line, "(required)")) << line;
+    EXPECT_LE(line.size(), 120u) << line;
+  }
+  EXPECT_EQ(options, 9u) << help;
 }
 
 TEST(CommandLine, VersionIsOneLineOnStdout) {

@@ -144,18 +144,8 @@ double errorOf(Isa isa, bool each) {
   return paperCase().errorOf(state);
 }
 
-struct Equations {
-  FlatRhs rhs;
-  OneSincosRail rail;
-  void operator()(const State& x, State& dx, double t) const {
-    double u[8];
-    rail(t, u);
-    rhs(x.data(), u, dx.data());
-  }
-};
-
 State solveOdeint(const FlatParameters& vehicle) {
-  const Equations equations{FlatRhs(vehicle), {}};
+  const TimedEquations equations{FlatRhs(vehicle), {}};
   boost::numeric::odeint::runge_kutta4<State> stepper;
   State x{};
   boost::numeric::odeint::integrate_n_steps(stepper, std::cref(equations), x, 0.0, kStep, kSteps);

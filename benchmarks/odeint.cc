@@ -9,18 +9,8 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-struct Equations {
-  FlatRhs rhs;
-  OneSincosRail rail;
-  void operator()(const State& x, State& dx, double t) const {
-    double u[8];
-    rail(t, u);
-    rhs(x.data(), u, dx.data());
-  }
-};
-
 State solveRk4Odeint(const PaperCase& problem) {
-  const Equations equations{*problem.form->rhs(), {}};
+  const TimedEquations equations{*problem.form->rhs(), {}};
   odeint::runge_kutta4<State> stepper;
   State x{};
   odeint::integrate_n_steps(stepper, std::cref(equations), x, 0.0, kStep, kSteps);
@@ -28,7 +18,7 @@ State solveRk4Odeint(const PaperCase& problem) {
 }
 
 State solveDopri5Odeint(const PaperCase& problem) {
-  const Equations equations{*problem.form->rhs(), {}};
+  const TimedEquations equations{*problem.form->rhs(), {}};
   // The loosest tolerances, by powers of ten, that reach the error of the comparison.
   auto stepper = odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(1e-12, 1e-9);
   State x{};

@@ -38,4 +38,15 @@ class OneSincosRail {
   std::array<double, 4> cos_delay_{}, sin_delay_{}, cos_delay3_{}, sin_delay3_{};
 };
 
+/// The equations over that rail as a peer's integrator calls them: dx/dt of x at t.
+struct TimedEquations {
+  FlatRhs rhs;
+  OneSincosRail rail;
+  void operator()(const State& x, State& dx, double t) const {
+    double u[8];
+    rail(t, u);
+    rhs(x.data(), u, dx.data());
+  }
+};
+
 }  // namespace vehicle::bench

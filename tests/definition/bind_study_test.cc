@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/studies.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -18,30 +19,12 @@ Origin line(int number) {
   return origin;
 }
 
-Scenario waves(const std::string& name, double amplitude) {
-  Scenario made;
-  made.name = name;
-  made.run.speed = 20.0;
-  made.run.duration = 10.0;
-  made.track.emplace();
-  Harmonic wave;
-  wave.name = "wave";
-  wave.wavelength = 25.0;
-  wave.amplitude = amplitude;
-  made.track->harmonics = {wave};
-  return made;
-}
-
 Study springs() {
   Study made;
   made.name = "springs";
   made.vehicle.file = "coach.xml";
   made.scenarios = {{"track.xml", {}}};
-  Vary stiffness;
-  stiffness.parameter = "secondary.stiffness_z";
-  stiffness.from = "500 kN/m";
-  stiffness.to = "900 kN/m";
-  stiffness.count = 5;
+  Vary stiffness = test::range("secondary.stiffness_z", "500 kN/m", "900 kN/m", 5);
   stiffness.origin = line(4);
   made.varies = {stiffness};
   made.designs = {{"light", "", {{"front_bogie.mass, rear_bogie.mass", "7 t", line(8)}}, line(7)}};
@@ -56,7 +39,7 @@ Outcome<BoundStudy> boundAfter(const std::function<void(Study&)>& change) {
   Study made = springs();
   change(made);
   EXPECT_EQ(check(made).text(), "");
-  return bindStudy(made, test::paperVehicle(), {waves("calm", 1e-3)});
+  return bindStudy(made, test::paperVehicle(), {test::waves("calm", 1e-3)});
 }
 
 std::string problemsAfter(const std::function<void(Study&)>& change) { return boundAfter(change).problems.text(); }
@@ -85,7 +68,7 @@ TEST(BindStudy, SpeedsAndScenariosAreCasesAndEveryColumnSaysWhich) {
   speed.parameter = "speed";
   speed.values = "80 km/h, 120 km/h";
   study.varies.push_back(speed);
-  const std::vector<Scenario> scenarios = {waves("calm", 1e-3), waves("rough", 9e-3)};
+  const std::vector<Scenario> scenarios = {test::waves("calm", 1e-3), test::waves("rough", 9e-3)};
   const BoundStudy bound = bindStudy(study, test::paperVehicle(), scenarios).orThrow();
   ASSERT_EQ(bound.cases.size(), 4u);
   EXPECT_EQ(bound.cases[3].scenario, 1u);
@@ -102,9 +85,9 @@ TEST(BindStudy, AppliedValuesStandInVehicleAndScenarios) {
   study.varies[0].parameter = "scenario.wave.amplitude";
   study.varies[0].from = "1 mm";
   study.varies[0].to = "5 mm";
-  const BoundStudy bound = bindStudy(study, test::paperVehicle(), {waves("calm", 1e-3)}).orThrow();
+  const BoundStudy bound = bindStudy(study, test::paperVehicle(), {test::waves("calm", 1e-3)}).orThrow();
   Vehicle vehicle = test::paperVehicle();
-  std::vector<Scenario> scenarios = {waves("calm", 1e-3)};
+  std::vector<Scenario> scenarios = {test::waves("calm", 1e-3)};
   apply(bound, std::vector<double>{4e-3, 7e3, 6e3}, vehicle, scenarios);
   EXPECT_EQ(scenarios[0].track->harmonics[0].amplitude, 4e-3);
   EXPECT_EQ(vehicle.bodies[1].mass, 7e3);
@@ -182,12 +165,12 @@ TEST(BindStudy, ScenariosThatDisagreeOnAVariedNumberAreTold) {
   study.varies[0].parameter = "scenario.wave.amplitude";
   study.varies[0].from = "1 mm";
   study.varies[0].to = "5 mm";
-  const std::vector<Scenario> differing = {waves("calm", 1e-3), waves("rough", 9e-3)};
+  const std::vector<Scenario> differing = {test::waves("calm", 1e-3), test::waves("rough", 9e-3)};
   EXPECT_EQ(
       bindStudy(study, test::paperVehicle(), differing).problems.text(),
       "s.xml:4: error: <study><vary>: the scenarios give different values for scenario.wave.amplitude; give it the "
       "same value in all of them, or make a study of each\n");
-  const std::vector<Scenario> namesakes = {waves("calm", 1e-3), waves("calm", 1e-3)};
+  const std::vector<Scenario> namesakes = {test::waves("calm", 1e-3), test::waves("calm", 1e-3)};
   EXPECT_EQ(bindStudy(study, test::paperVehicle(), namesakes).problems.text(),
             "error: <study name=\"springs\">: two scenarios are both named \"calm\"; give each a name of its own\n");
 }

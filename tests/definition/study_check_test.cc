@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/studies.h"
+
 namespace vehicle {
 namespace {
 
@@ -21,15 +23,9 @@ Study springs() {
   made.origin = line(1);
   made.vehicle = {"coach.xml", line(2)};
   made.scenarios = {{"track.xml", line(3)}};
-  Vary stiffness;
-  stiffness.parameter = "secondary.stiffness_z";
-  stiffness.from = "500 kN/m";
-  stiffness.to = "900 kN/m";
-  stiffness.count = 5;
+  Vary stiffness = test::range("secondary.stiffness_z", "500 kN/m", "900 kN/m", 5);
   stiffness.origin = line(4);
-  Vary speed;
-  speed.parameter = "speed";
-  speed.values = "80 km/h, 120 km/h";
+  Vary speed = test::list("speed", "80 km/h, 120 km/h");
   speed.origin = line(5);
   made.varies = {stiffness, speed};
   made.plan.emplace();

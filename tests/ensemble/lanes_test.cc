@@ -7,6 +7,7 @@
 
 #include "tests/ensemble/designs.h"
 #include "tests/ensemble/scalar_run.h"
+#include "tests/support/refusal.h"
 
 namespace vehicle::test {
 namespace {
@@ -281,15 +282,6 @@ TEST(Ensemble, TheFirstSampleThatCountsIsTheFirstNotBeforeSettle) {
 
 // ---- refusals
 
-std::string refusal(const auto& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(Ensemble, NamesWhatDoesNotFit) {
   const std::vector<EnsembleDesign> designs = symmetricDesigns(2);
   const Input rail = railOf({});
@@ -297,32 +289,32 @@ TEST(Ensemble, NamesWhatDoesNotFit) {
   const std::vector<const Input*> null = {&rail, nullptr};
   EnsembleRun run;
   run.settle = -1.0;
-  EXPECT_EQ(refusal([&] { (void)runEnsemble(designs, rail, run); }),
+  EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, rail, run); }),
             "ensemble: settle = -1 s, must be finite and >= 0");
   run.settle = 2.5;
-  EXPECT_EQ(refusal([&] { (void)runEnsemble(designs, rail, run); }),
+  EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, rail, run); }),
             "ensemble: settle = 2.5 s leaves no sample of a run of 2 s; settle less or run longer");
   run.settle = 0.0;
-  EXPECT_EQ(refusal([&] { (void)runEnsemble(designs, one, run); }),
+  EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, one, run); }),
             "ensemble: 1 rails for 2 designs, must be one a design and none null");
-  EXPECT_EQ(refusal([&] { (void)runEnsemble(designs, null, run); }),
+  EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, null, run); }),
             "ensemble: 2 rails for 2 designs, must be one a design and none null");
   run.columns = {static_cast<FlatColumn>(999)};
-  EXPECT_EQ(refusal([&] { (void)runEnsemble(designs, rail, run); }), "ensemble: column number 999, must be 0..55");
+  EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, rail, run); }), "ensemble: column number 999, must be 0..55");
   run.columns = {};
   InputSegment segment = rail.segment(0);
   segment.cosine.resize(4);
   segment.sine.resize(4);
   segment.polynomial.resize(8);
   const Input two(2, {segment});
-  EXPECT_EQ(refusal([&] { (void)runEnsemble(designs, two, run); }),
+  EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, two, run); }),
             "ensemble: the rail has 2 channels, must have 4, one a wheelset");
   run.output_step = 0.0;
-  EXPECT_EQ(refusal([&] { (void)runEnsemble(designs, rail, run); }),
+  EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, rail, run); }),
             "Schedule: output_step = 0 s, must be finite and > 0");
   run.output_step = 5e-3;
   run.step.step = -1.0;
-  EXPECT_NE(refusal([&] { (void)runEnsemble(designs, rail, run); }), "accepted");
+  EXPECT_NE(refusalOf([&] { (void)runEnsemble(designs, rail, run); }), "accepted");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "libvehicle/linear/steady_state.h"
 #include "tests/ensemble/designs.h"
 #include "tests/ensemble/scalar_run.h"
+#include "tests/support/refusal.h"
 
 namespace vehicle::test {
 namespace {
@@ -259,15 +260,6 @@ TEST(HarmonicOrders, AreTheSmallestThatFit) {
   EXPECT_EQ(harmonicOrders({}), Orders{});
 }
 
-std::string refusal(const auto& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(SteadyEnsemble, NamesWhatDoesNotFit) {
   const std::vector<EnsembleDesign> designs = symmetricDesigns(2);
   const InputSegment good = railOf({}).segment(0);
@@ -276,21 +268,21 @@ TEST(SteadyEnsemble, NamesWhatDoesNotFit) {
   InputSegment odd = good;
   odd.angular_frequency[1] = std::numbers::sqrt2 * odd.angular_frequency[0];
   const std::vector<const InputSegment*> rails = {&good, &ramp};
-  EXPECT_EQ(refusal([&] { (void)steadyEnsemble(designs, rails, {}); }),
+  EXPECT_EQ(refusalOf([&] { (void)steadyEnsemble(designs, rails, {}); }),
             "steady ensemble: rail 1: the height of channel 2 holds a term s^1, which never repeats itself; only a "
             "constant and harmonics do");
   const std::vector<const InputSegment*> one = {&good};
-  EXPECT_EQ(refusal([&] { (void)steadyEnsembleEach(designs, one, {}); }),
+  EXPECT_EQ(refusalOf([&] { (void)steadyEnsembleEach(designs, one, {}); }),
             "steady ensemble: 1 rails for 2 designs, must be one a design");
   const std::vector<const InputSegment*> irrational = {&odd};
   SteadyRun peaks;
   peaks.peaks = SteadyPeaks::kSampled;
-  EXPECT_EQ(refusal([&] { (void)steadyEnsemble(designs, irrational, peaks); }),
+  EXPECT_EQ(refusalOf([&] { (void)steadyEnsemble(designs, irrational, peaks); }),
             "steady ensemble: rail 0: its 2 harmonics have no common period of order 200 or less, so peaks have no "
             "closed form; run in time instead");
   const std::vector<const InputSegment*> null = {nullptr};
-  EXPECT_EQ(refusal([&] { (void)steadyEnsemble(designs, null, {}); }), "steady ensemble: rail 0: is null");
-  EXPECT_NE(refusal([&] { (void)spectrumRail({{{1.0, -1.0, 1.0}}}, {}); }), "accepted");
+  EXPECT_EQ(refusalOf([&] { (void)steadyEnsemble(designs, null, {}); }), "steady ensemble: rail 0: is null");
+  EXPECT_NE(refusalOf([&] { (void)spectrumRail({{{1.0, -1.0, 1.0}}}, {}); }), "accepted");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "libvehicle/flat/flat_equation_set.h"
 #include "libvehicle/flat/flat_form.h"
 #include "tests/support/random_state.h"
+#include "tests/support/refusal.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -168,18 +169,10 @@ TEST(FlatEquationSet, ASingleVehicleIsATrainOfOne) {
 
 TEST(FlatEquationSet, ArgumentsThatDoNotFitAreNamed) {
   const FlatParameters paper = parametersOf(paperVehicle());
-  const auto message = [](auto build) {
-    try {
-      build();
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string("nothing");
-  };
-  EXPECT_EQ(message([&] { trainOf({}, {}); }), "flat equation set: no vehicles, must have at least one");
-  EXPECT_EQ(message([&] { trainOf({paper, paper}, {}); }),
+  EXPECT_EQ(refusalOf([&] { trainOf({}, {}); }), "flat equation set: no vehicles, must have at least one");
+  EXPECT_EQ(refusalOf([&] { trainOf({paper, paper}, {}); }),
             "flat equation set: couplings has 0 entries, must have 1, one between every two neighbours");
-  EXPECT_EQ(message([&] { FlatEquationSet({paper}, {}, {{}}, {0, 1, 2, 3, 4, 5, 6, 6}, identity(4)); }),
+  EXPECT_EQ(refusalOf([&] { FlatEquationSet({paper}, {}, {{}}, {0, 1, 2, 3, 4, 5, 6, 6}, identity(4)); }),
             "flat equation set: state_order[7] = 6, must name every entry from 0 to 7 once");
 }
 

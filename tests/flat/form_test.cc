@@ -25,14 +25,6 @@ namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
 
-Point pointOn(std::string name, std::string body_name, double x) {
-  Point made;
-  made.name = std::move(name);
-  made.body = std::move(body_name);
-  made.x = x;
-  return made;
-}
-
 std::size_t indexOf(const FlatForm& form, const std::string& state) {
   const auto& states = form.states();
   const auto found = std::find_if(states.begin(), states.end(), [&](const Channel& c) { return c.name == state; });

@@ -3,6 +3,7 @@
 
 #include "tests/integrate/allocations.h"
 #include "tests/integrate/cases.h"
+#include "tests/support/refusal.h"
 #include "tests/support/tolerance.h"
 
 // What every method owes, whatever it is called. A new method adds one struct here.
@@ -216,13 +217,8 @@ TYPED_TEST(EveryMethod, SystemThatOutgrowsTheNumbersIsAnErrorWithTheTime) {
 TYPED_TEST(EveryMethod, RefusesAStartOrAnInputThatDoesNotFit) {
   const Case problem = caseOf("flat", bounce(), flatRail());
   const Schedule schedule(problem.input, 0.01);
-  const auto messageOf = [&](const Input& input, const std::vector<double>& start) -> std::string {
-    try {
-      TypeParam::run(problem.system, input, schedule, start, kIgnore);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "no error";
+  const auto messageOf = [&](const Input& input, const std::vector<double>& start) {
+    return refusalOf([&] { TypeParam::run(problem.system, input, schedule, start, kIgnore); });
   };
   const std::string name = TypeParam::kName;
   EXPECT_EQ(messageOf(problem.input, {1.0}), name + ": x0 has 1 values, must have 2, one a state");

@@ -22,14 +22,6 @@ constexpr double kGravity = 9.81;  // [m/s^2]
 // Two orders of the same few dozen products: some roundings of the largest number of that kind in the state.
 constexpr double kRounding = 1e-14;
 
-Point pointOn(std::string name, std::string body_name, double x) {
-  Point made;
-  made.name = std::move(name);
-  made.body = std::move(body_name);
-  made.x = x;
-  return made;
-}
-
 /// Everything that the flat form can carry: unequal everywhere, heights, wheelsets with mass, points.
 Vehicle fullVehicle() {
   Vehicle made = withHeights(asymmetricVehicle(), 0.4);

@@ -11,6 +11,7 @@
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/mbs/mbs_form.h"
 #include "libvehicle/statics/rest.h"
+#include "tests/support/columns.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -18,33 +19,6 @@ namespace vehicle::test {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
-
-/// All columns of a form at one instant, asked for by name.
-class Columns {
- public:
-  Columns(const MbsForm& form, const std::vector<double>& x, const std::vector<double>& u)
-      : form_(form), values_(form.outputs().size()) {
-    form.output(x, u, values_);
-  }
-  double operator[](const std::string& name) const {
-    const auto& channels = form_.outputs();
-    const auto found = std::find_if(channels.begin(), channels.end(), [&](const Channel& c) { return c.name == name; });
-    if (found == channels.end()) throw std::invalid_argument("no column " + name);
-    return values_[static_cast<std::size_t>(found - channels.begin())];
-  }
-
- private:
-  const MbsForm& form_;
-  std::vector<double> values_;
-};
-
-Point pointOn(std::string name, std::string body_name, double x) {
-  Point made;
-  made.name = std::move(name);
-  made.body = std::move(body_name);
-  made.x = x;
-  return made;
-}
 
 TEST(MbsColumns, AreThoseOfEveryForm) {
   for (const MbsLaw law : {MbsLaw::kLinear, MbsLaw::kTrue}) {

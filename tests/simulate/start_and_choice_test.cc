@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/simulate/histories.h"
+#include "tests/support/refusal.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -70,12 +71,7 @@ template <class Change>
 std::string refusal(Change change) {
   RunChoice choice;
   change(choice);
-  try {
-    (void)simulate(paperVehicle(), paperScenario(History::kOnset), choice);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "not refused";
+  return refusalOf([&] { (void)simulate(paperVehicle(), paperScenario(History::kOnset), choice); });
 }
 
 TEST(Simulate, RefusesWrongChoicesWithNameValueAndRule) {

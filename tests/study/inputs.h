@@ -9,26 +9,11 @@
 #include "libvehicle/study/evaluate/study_evaluator.h"
 #include "libvehicle/study/execute/executor.h"
 #include "libvehicle/study/study_inputs.h"
+#include "tests/support/studies.h"
 #include "tests/support/vehicles.h"
 
 // Studies made by hand, and the rows of their designs.
 namespace vehicle::test {
-
-inline Vary range(std::string parameter, std::string from, std::string to, std::optional<int> count = std::nullopt) {
-  Vary made;
-  made.parameter = std::move(parameter);
-  made.from = std::move(from);
-  made.to = std::move(to);
-  made.count = count;
-  return made;
-}
-
-inline Vary list(std::string parameter, std::string values) {
-  Vary made;
-  made.parameter = std::move(parameter);
-  made.values = std::move(values);
-  return made;
-}
 
 inline Study studyOf(std::vector<Vary> varies, const std::vector<std::string>& metrics) {
   Study made;

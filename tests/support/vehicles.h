@@ -65,6 +65,15 @@ struct BogieNumbers {
   double half_wheelbase;                 // [m]
 };
 
+/// A measuring point, x [m] as the body counts.
+inline Point pointOn(std::string name, std::string body_name, double x) {
+  Point made;
+  made.name = std::move(name);
+  made.body = std::move(body_name);
+  made.x = x;
+  return made;
+}
+
 /// Carbody on two equal bogies on four wheelsets, CG of the carbody at x = 0, no groups, no heights.
 /// Coordinates: carbody.z, carbody.pitch, front_bogie.z, (front_bogie.pitch,) rear_bogie.z, (rear_bogie.pitch)
 inline Vehicle symmetricVehicle(std::string name, double carbody_mass, double carbody_inertia, double half_pivots,

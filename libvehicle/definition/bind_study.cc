@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "libvehicle/definition/bind_metrics.h"
 #include "libvehicle/definition/bound_study.h"
 #include "libvehicle/definition/judge.h"
-#include "libvehicle/definition/topology.h"
 
 // The names of a study looked up in its vehicle and scenarios.
 namespace vehicle {
@@ -18,14 +18,6 @@ std::string speedLabel(double speed) {
   const auto [end, error] =
       std::to_chars(text.data(), text.data() + text.size(), speed * 3.6, std::chars_format::general, 6);
   return std::string(text.data(), end) + " km/h";
-}
-
-std::optional<Dimension> dimensionOf(std::string_view si_unit) {
-  for (int i = 0; i <= static_cast<int>(Dimension::kAngularAcceleration); ++i) {
-    const auto dimension = static_cast<Dimension>(i);
-    if (describe(dimension).siUnit == si_unit) return dimension;
-  }
-  return std::nullopt;
 }
 
 class Binder {
@@ -50,7 +42,7 @@ class Binder {
     }
     bindDesigns();
     bindCases();
-    bindMetrics();
+    bindMetrics(study_, vehicle_, bound_, problems_);
     problems_.sortByPlace();
     Outcome<BoundStudy> outcome;
     outcome.problems = std::move(problems_);
@@ -119,14 +111,6 @@ class Binder {
     return list.empty() ? ", e.g. " + addresses_.front() + ", or speed, or scenario.NAME.ATTRIBUTE" : list;
   }
 
-  /// A value as written; nothing, and told, if it is none of that dimension.
-  std::optional<double> number(std::string_view attribute, const std::string& text, Dimension dimension, Judge& judge) {
-    const ParsedQuantity parsed = parseQuantity(text, dimension);
-    if (parsed.si && std::isfinite(*parsed.si)) return parsed.si;
-    judge.say(written(attribute, text) + ' ' + parsed.message, parsed.remedy);
-    return std::nullopt;
-  }
-
   void bindVary(const Vary& vary) {
     if (givesSpeeds(vary)) return;
     Judge judge(problems_, "<study><vary>", vary.parameter, vary.origin);
@@ -164,7 +148,7 @@ class Binder {
     const Dimension dimension = vary.kind == Variation::kRelative ? Dimension::kNumber : own;
     if (!vary.values.empty()) {
       for (const std::string& text : listedIn(vary.values)) {
-        const std::optional<double> value = number("values", text, dimension, judge);
+        const std::optional<double> value = judge.quantity("values", text, dimension);
         if (!value) return false;
         if (std::find(factor.levels.begin(), factor.levels.end(), *value) != factor.levels.end()) {
           judge.say(written("values", vary.values) + " has \"" + text + "\" twice", "write it once");
@@ -177,8 +161,8 @@ class Binder {
       factor.to = *most;
       return true;
     }
-    const std::optional<double> from = number("from", vary.from, dimension, judge);
-    const std::optional<double> to = number("to", vary.to, dimension, judge);
+    const std::optional<double> from = judge.quantity("from", vary.from, dimension);
+    const std::optional<double> to = judge.quantity("to", vary.to, dimension);
     if (!from || !to) return false;
     if (!(*from < *to)) {
       judge.say(written("from", vary.from) + " is not below " + written("to", vary.to),
@@ -230,7 +214,7 @@ class Binder {
         for (const std::string& address : listedIn(set.parameter)) {
           const std::optional<std::size_t> index = indexOf(address, judge);
           if (!index) break;
-          const std::optional<double> value = number("value", set.value, bound_.parameters[*index].dimension, judge);
+          const std::optional<double> value = judge.quantity("value", set.value, bound_.parameters[*index].dimension);
           if (!value) break;
           named.sets.emplace_back(*index, *value);
         }
@@ -276,79 +260,6 @@ class Binder {
     for (StudyCase& each : bound_.cases) {
       if (scenarios_.size() > 1) each.label = scenarios_[each.scenario].name;
       if (given != nullptr) each.label += (each.label.empty() ? "" : ", ") + speedLabel(each.speed);
-    }
-  }
-
-  void bindMetrics() {
-    const Topology topology = topologyOf(vehicle_);
-    std::vector<std::string> columns;
-    std::vector<std::string> at_rest;  // what .deflection and .load may be asked of
-    const std::vector<Channel> channels = resultChannels(topology);
-    for (const Channel& each : channels) columns.push_back(each.name);
-    for (const TopologySuspension& each : topology.suspensions) at_rest.push_back(each.name);
-    for (const TopologyWheelset& each : topology.wheelsets) at_rest.push_back(each.name);
-    for (const StudyMetric& each : study_.metrics) {
-      Judge judge(problems_, "<study><metric>", "", each.origin);
-      const std::optional<Metric> metric = parseMetric(each.name).metric;
-      if (!metric) continue;
-      std::string_view unit;
-      if (metric->kind == MetricKind::kColumn) {
-        const auto found = std::find(columns.begin(), columns.end(), metric->subject);
-        if (found == columns.end()) {
-          judge.say(
-              written("name", each.name) + " asks for a column that the vehicle \"" + vehicle_.name + "\" has not",
-              orNearest(metric->subject, columns, "columns are PART.QUANTITY, e.g. "));
-        } else {
-          unit = channels[static_cast<std::size_t>(found - columns.begin())].unit;
-        }
-      } else if (metric->kind == MetricKind::kStatic) {
-        judgeStatic(*metric, topology.suspensions.size(), at_rest, judge);
-      }
-      bound_.metrics.push_back({*metric, unitOf(*metric, unit), metric->kind == MetricKind::kColumn});
-    }
-    if (problems_.empty()) bindGoals();
-  }
-
-  static std::string orNearest(const std::string& word, const std::vector<std::string>& names,
-                               const std::string& else_) {
-    const std::optional<std::string> nearest = nearestName(word, names);
-    return nearest ? "did you mean \"" + *nearest + "\"?" : else_ + names.front();
-  }
-
-  static void judgeStatic(const Metric& metric, std::size_t suspensions, const std::vector<std::string>& at_rest,
-                          Judge& judge) {
-    const auto found = std::find(at_rest.begin(), at_rest.end(), metric.subject);
-    const bool is_suspension = static_cast<std::size_t>(found - at_rest.begin()) < suspensions;
-    if (found == at_rest.end()) {
-      judge.say(written("name", metric.name) + " names no suspension or wheelset",
-                orNearest(metric.subject, at_rest, "e.g. static.NAME." + metric.quantity + " of "));
-    } else if (metric.quantity == "deflection" && !is_suspension) {
-      judge.say(written("name", metric.name) + " asks for the deflection of a wheelset", "name a suspension");
-    }
-  }
-
-  [[nodiscard]] std::size_t metricNamed(const std::string& name) const {
-    const auto found = std::find_if(bound_.metrics.begin(), bound_.metrics.end(),
-                                    [&](const BoundMetric& each) { return each.metric.name == name; });
-    return static_cast<std::size_t>(found - bound_.metrics.begin());
-  }
-
-  void bindGoals() {
-    for (const Objective& each : study_.objectives) {
-      bound_.objectives.push_back({metricNamed(each.metric), each.goal, each.over});
-    }
-    for (const Limit& each : study_.limits) {
-      Judge judge(problems_, "<study><limit>", each.metric, each.origin);
-      BoundLimit limit{metricNamed(each.metric), {}, {}};
-      const std::optional<Dimension> dimension = dimensionOf(bound_.metrics[limit.metric].unit);
-      if (!dimension) continue;
-      if (!each.below.empty()) limit.below = number("below", each.below, *dimension, judge);
-      if (!each.above.empty()) limit.above = number("above", each.above, *dimension, judge);
-      if (limit.below && limit.above && !(*limit.above < *limit.below)) {
-        judge.say(written("above", each.above) + " is not under " + written("below", each.below),
-                  "what may be lies between them: above=\"LOWER\" below=\"HIGHER\"");
-      }
-      bound_.limits.push_back(limit);
     }
   }
 

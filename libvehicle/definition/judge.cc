@@ -55,6 +55,13 @@ bool Judge::notNegative(std::string_view attribute, std::optional<double> value,
   return !value || notNegative(attribute, *value, dimension);
 }
 
+std::optional<double> Judge::quantity(std::string_view attribute, const std::string& text, Dimension dimension) {
+  const ParsedQuantity parsed = parseQuantity(text, dimension);
+  if (parsed.si && std::isfinite(*parsed.si)) return parsed.si;
+  say(written(attribute, text) + ' ' + parsed.message, parsed.remedy);
+  return std::nullopt;
+}
+
 bool Judge::properName(const std::string& name) {
   if (name.empty()) {
     say("has no name", "name=\"...\" is required");

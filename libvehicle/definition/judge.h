@@ -35,6 +35,9 @@ class Judge {
   bool positive(std::string_view attribute, std::optional<double> value, Dimension dimension);
   bool notNegative(std::string_view attribute, std::optional<double> value, Dimension dimension);
 
+  /// A value as written [SI]; nothing, and told, if it is none of that dimension.
+  std::optional<double> quantity(std::string_view attribute, const std::string& text, Dimension dimension);
+
   /// A name is made of letters, digits, "_" and "-": parameters are addressed as name.attribute.
   bool properName(const std::string& name);
   /// The same, and not a word that stands for something else in a study (scenario, speed).

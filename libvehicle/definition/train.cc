@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libvehicle/definition/judge.h"
+#include "libvehicle/definition/train_part.h"
 
 namespace vehicle {
 
@@ -14,28 +15,8 @@ namespace {
 
 constexpr double kTouching = 1e-9;  // [m] ends that only rounding drives into each other
 
-bool isRead(const TrainVehicle& each) { return !each.vehicle.bodies.empty(); }
-
 bool hasHeights(const Vehicle& vehicle) {
   return std::any_of(vehicle.bodies.begin(), vehicle.bodies.end(), [](const Body& body) { return body.z.has_value(); });
-}
-
-const std::string& nameOf(const TrainVehicle& each) { return each.name.empty() ? each.vehicle.name : each.name; }
-
-/// "coach.xml", as a message calls a vehicle.
-std::string called(const TrainVehicle& each) { return '"' + (each.file.empty() ? nameOf(each) : each.file) + '"'; }
-
-double xOf(const Vehicle& vehicle, const Body& body) {
-  for (const Group& group : vehicle.groups) {
-    if (!body.group.empty() && group.name == body.group) return group.x + body.x;
-  }
-  return body.x;
-}
-
-/// The coupling behind unit `gap` (0 leads), or none.
-const Coupling* couplingAt(const Train& train, std::size_t gap) {
-  if (train.couplings.empty()) return nullptr;
-  return &train.couplings[train.couplings.size() == 1 ? 0 : gap];
 }
 
 /// Two units that follow each other: indices into train.vehicles, and the number of the gap between them.
@@ -55,8 +36,6 @@ std::vector<Neighbours> neighboursOf(const Train& train) {
   return all;
 }
 
-double shift(const TrainVehicle& ahead, const TrainVehicle& behind) { return 0.5 * (ahead.spacing + behind.spacing); }
-
 class TrainCheck {
  public:
   explicit TrainCheck(const Train& train) : train_(train) {}
@@ -73,7 +52,7 @@ class TrainCheck {
 
  private:
   Judge judgeOf(const TrainVehicle& each) {
-    return Judge(problems_, "<train><vehicle>", each.origin.line == 0 ? nameOf(each) : "", each.origin);
+    return Judge(problems_, "<train><vehicle>", each.origin.line == 0 ? unitName(each) : "", each.origin);
   }
   Judge judgeOf(const Coupling& each) { return Judge(problems_, "<train><coupling>", "", each.origin); }
 
@@ -83,8 +62,8 @@ class TrainCheck {
     if (train_.vehicles.empty()) judge.say("has no <vehicle>", "a train has at least one");
     const long vehicles = vehiclesOf(train_);
     if (vehicles > Train::kMostVehicles) {
-      judge.say("has " + std::to_string(vehicles) + " vehicles", "must be at most " +
-                                                                     std::to_string(Train::kMostVehicles));
+      judge.say("has " + std::to_string(vehicles) + " vehicles",
+                "must be at most " + std::to_string(Train::kMostVehicles));
       values_hold_ = false;
     }
     const auto couplings = static_cast<long>(train_.couplings.size());
@@ -108,12 +87,12 @@ class TrainCheck {
     const bool end = judge.positive("end_x", each.end_x, Dimension::kLength);
     values_hold_ = values_hold_ && spacing && end;
     if (!isRead(each)) return;
-    if (!each.vehicle.units.empty()) judge.say(called(each) + " is a train itself", "list its vehicles one by one");
+    if (!each.vehicle.units.empty()) judge.say(quotedName(each) + " is a train itself", "list its vehicles one by one");
     const ProblemList own = check(each.vehicle);
     problems_.append(own);
     values_hold_ = values_hold_ && own.empty() && each.vehicle.units.empty();
     if (train_.couplings.empty() || carbodyOf(each.vehicle) >= 0) return;
-    judge.say(called(each) + " has no carbody to couple: not just one of its bodies is without another above it",
+    judge.say(quotedName(each) + " has no carbody to couple: not just one of its bodies is without another above it",
               "leave the <coupling> out, or let one body alone stand on top");
     values_hold_ = false;
   }
@@ -135,9 +114,9 @@ class TrainCheck {
       if (first == nullptr) first = &each;
     }
     if (with != nullptr && without != nullptr) {
-      judgeOf(*without).say(called(*without) + " has no heights, but " + called(*with) + inLine(with->origin) +
-                                " has some",
-                            "heights are given for all vehicles of a train or for none");
+      judgeOf(*without).say(
+          quotedName(*without) + " has no heights, but " + quotedName(*with) + inLine(with->origin) + " has some",
+          "heights are given for all vehicles of a train or for none");
     }
     if (with != nullptr) return;
     for (const Coupling& each : train_.couplings) {
@@ -158,139 +137,28 @@ class TrainCheck {
       const TrainVehicle& behind = train_.vehicles[pair.behind];
       for (const TrainVehicle* each : {&ahead, &behind}) {
         if (each->end_x || coupling->end_x || !endless.insert(each).second) continue;
-        judgeOf(*each).say(called(*each) + " has no end_x, and its coupling" + inLine(coupling->origin) + " has none",
-                           "give one of them, e.g. end_x=\"12.5 m\"");
+        judgeOf(*each).say(
+            quotedName(*each) + " has no end_x, and its coupling" + inLine(coupling->origin) + " has none",
+            "give one of them, e.g. end_x=\"12.5 m\"");
       }
       const auto front = ahead.end_x ? ahead.end_x : coupling->end_x;
       const auto rear = behind.end_x ? behind.end_x : coupling->end_x;
       if (!front || !rear || !isRead(ahead) || !isRead(behind)) continue;
-      const double gap = shift(ahead, behind) + carbodyX(ahead) - *front - carbodyX(behind) - *rear;
+      const double gap = shiftBetween(ahead, behind) + carbodyX(ahead) - *front - carbodyX(behind) - *rear;
       if (gap >= -kTouching || !seen.emplace(pair.ahead, pair.behind).second) continue;
-      judgeOf(behind).say("the ends of " + called(ahead) + " and " + called(behind) + " overlap by " +
+      judgeOf(behind).say("the ends of " + quotedName(ahead) + " and " + quotedName(behind) + " overlap by " +
                               formatQuantity(std::max(1.0, std::round(-1e3 * gap)) / 1e3, Dimension::kLength),
                           "take a larger spacing or a smaller end_x");
     }
   }
 
   static double carbodyX(const TrainVehicle& each) {
-    return xOf(each.vehicle, each.vehicle.bodies[static_cast<std::size_t>(carbodyOf(each.vehicle))]);
+    return bodyX(each.vehicle, each.vehicle.bodies[static_cast<std::size_t>(carbodyOf(each.vehicle))]);
   }
 
   const Train& train_;
   ProblemList problems_;
   bool values_hold_ = true;  // as far as the comparison of neighbours needs them
-};
-
-class Assembler {
- public:
-  explicit Assembler(const Train& train) : train_(train) {
-    made_.name = train.name;
-    made_.title = train.title;
-    made_.source = train.source;
-    made_.origin = train.origin;
-  }
-
-  Vehicle run() {
-    const TrainVehicle* ahead = nullptr;
-    double x = 0.0;
-    for (const TrainVehicle& each : train_.vehicles) {
-      const int carbody = carbodyOf(each.vehicle);
-      for (int k = 0; k < each.count; ++k, ahead = &each) {
-        if (ahead != nullptr) x -= shift(*ahead, each);
-        addUnit(each, x);
-        if (train_.couplings.empty()) continue;
-        const Body& body = each.vehicle.bodies[static_cast<std::size_t>(carbody)];
-        carbodies_.push_back({prefix_ + body.name, x + xOf(each.vehicle, body), body.z, each.end_x});
-      }
-    }
-    if (!train_.couplings.empty()) addCouplings();
-    return std::move(made_);
-  }
-
- private:
-  struct Carbody {
-    std::string name;
-    double x = 0.0;
-    std::optional<double> z;
-    std::optional<double> end_x;
-  };
-
-  void addUnit(const TrainVehicle& each, double x) {
-    const std::string name = nameOf(each) + '_' + std::to_string(made_.units.size() + 1);
-    made_.units.push_back({name, each.vehicle.title, x});
-    prefix_ = name + '.';
-    const Vehicle& from = each.vehicle;
-    for (Element element : from.elements) {
-      element.name = prefix_ + element.name;
-      made_.elements.push_back(std::move(element));
-    }
-    for (Group group : from.groups) {
-      group.name = prefix_ + group.name;
-      group.x += x;
-      made_.groups.push_back(std::move(group));
-    }
-    add(from.bodies, made_.bodies, x);
-    add(from.wheelsets, made_.wheelsets, x);
-    for (Suspension suspension : from.suspensions) {
-      suspension.element = prefix_ + suspension.element;
-      suspension.upper = prefix_ + suspension.upper;
-      suspension.lower = prefix_ + suspension.lower;
-      if (suspension.x_lower && suspension.group.empty()) *suspension.x_lower += x;
-      made_.suspensions.push_back(placed(std::move(suspension), x));
-    }
-    for (Point point : from.points) {
-      point.body = prefix_ + point.body;
-      made_.points.push_back(placed(std::move(point), x));
-    }
-  }
-
-  template <class Part>
-  void add(const std::vector<Part>& from, std::vector<Part>& to, double x) {
-    for (const Part& part : from) to.push_back(placed(part, x));
-  }
-
-  /// The part in its unit: what stands in a group moves with the group.
-  template <class Part>
-  [[nodiscard]] Part placed(Part part, double x) const {
-    part.name = prefix_ + part.name;
-    if (part.group.empty()) {
-      part.x += x;
-    } else {
-      part.group = prefix_ + part.group;
-    }
-    return part;
-  }
-
-  void addCouplings() {
-    const bool one_for_all = train_.couplings.size() == 1;
-    for (std::size_t gap = 0; gap + 1 < carbodies_.size(); ++gap) {
-      const Coupling& coupling = *couplingAt(train_, gap);
-      const std::string number = std::to_string(gap + 1);
-      const std::string element = one_for_all ? "coupling" : "coupling_element_" + number;
-      if (gap == 0 || !one_for_all) {
-        made_.elements.push_back({element, coupling.stiffness_z, coupling.damping_z, {}, coupling.origin});
-      }
-      const Carbody& ahead = carbodies_[gap];
-      const Carbody& behind = carbodies_[gap + 1];
-      Suspension suspension;
-      suspension.name = "coupling_" + number;
-      suspension.element = element;
-      suspension.upper = ahead.name;
-      suspension.lower = behind.name;
-      suspension.x = ahead.x - *(ahead.end_x ? ahead.end_x : coupling.end_x);
-      suspension.x_lower = behind.x + *(behind.end_x ? behind.end_x : coupling.end_x);
-      suspension.z_upper = coupling.z ? coupling.z : ahead.z;
-      suspension.z_lower = coupling.z ? coupling.z : behind.z;
-      suspension.preload = 0.0;
-      suspension.origin = coupling.origin;
-      made_.suspensions.push_back(std::move(suspension));
-    }
-  }
-
-  const Train& train_;
-  Vehicle made_;
-  std::string prefix_;  // of the unit at hand
-  std::vector<Carbody> carbodies_;
 };
 
 }  // namespace
@@ -314,16 +182,5 @@ int carbodyOf(const Vehicle& vehicle) {
 }
 
 ProblemList check(const Train& train) { return TrainCheck(train).run(); }
-
-Vehicle assembled(const Train& train) {
-  ProblemList problems = check(train);
-  for (const TrainVehicle& each : train.vehicles) {
-    if (isRead(each)) continue;
-    Judge(problems, "<train><vehicle>", "", each.origin)
-        .say(called(each) + " has not been read", "read the vehicle files before the train is assembled");
-  }
-  if (!problems.empty()) throw InvalidInput(std::move(problems));
-  return Assembler(train).run();
-}
 
 }  // namespace vehicle

@@ -30,7 +30,7 @@ struct Problem {
 class ProblemList {
  public:
   void add(Problem problem) { problems_.push_back(std::move(problem)); }
-  /// The same from its parts. Texts made on the spot go this way: g++ 12 takes a Problem braced of them for one half made.
+  /// The same from its parts, for texts made on the spot: g++ 12 takes a Problem braced of them for one half made.
   void add(const Place& place, std::string element, std::string message, std::string remedy);
   void append(const ProblemList& other);
   /// Sorts by file and line, keeping the order of equals: checks run in passes, readers read from the top.

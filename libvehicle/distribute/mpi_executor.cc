@@ -1,23 +1,21 @@
 #include "libvehicle/distribute/mpi_executor.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 
-#include "libvehicle/distribute/mailbox.h"
+#include "libvehicle/distribute/mpi_job.h"
 #include "libvehicle/study/execute/work_pool.h"
 
 namespace vehicle {
 
 namespace {
 
-using std::chrono::milliseconds;
-
-/// Waits a little where there was nothing to do: ranks may share cores.
-void rest() { std::this_thread::sleep_for(std::chrono::microseconds(100)); }
+using Clock = std::chrono::steady_clock;
 
 /// The designs of a workload that nobody has yet, cut from the front.
 class Supply {
@@ -46,6 +44,127 @@ class Supply {
   std::size_t place_ = 0;  // in given
 };
 
+/// Designs that keep a rank busy until the next portion comes: one batch in the hands of every thread, one waiting.
+std::int64_t enoughFor(const Evaluator& evaluator, int threads) { return 2 * evaluator.batchSize() * threads; }
+
+/// One run as the leader sees it.
+class Lead {
+ public:
+  Lead(MpiJob& job, const Evaluator& evaluator, const Workload& workload, const Sink& sink)
+      : job_(job),
+        evaluator_(evaluator),
+        workload_(workload),
+        sink_(sink),
+        pool_(evaluator, job.threads.front()),
+        supply_(workload, evaluator.given()) {}
+
+  Ending run(const GoOn& go_on) {
+    auto asked = Clock::now();
+    try {
+      while (busy()) {
+        handOut();
+        const bool received = receive([this](const Letter& letter) { take(letter); });
+        const bool finished = takeOwn();
+        const auto now = Clock::now();
+        if (!stopped_ && go_on && now - asked >= kBetweenQuestions) {
+          asked = now;
+          if (!go_on()) stop();
+        }
+        if (!received && !finished) restALittle();
+      }
+    } catch (...) {
+      // The other ranks come to rest before anyone may ask for another run; what they still send belongs to this one.
+      stop();
+      while (not_idle_ > 0) {
+        if (!receive([](const Letter&) {})) restALittle();
+      }
+      throw;
+    }
+    if (!failure_.empty()) throw std::runtime_error(failure_);
+    return taken_ == workload_.designs() ? Ending::kFinished : Ending::kStopped;
+  }
+
+ private:
+  [[nodiscard]] bool busy() const {
+    if (!supply_.empty() || pool_.outstanding() > 0 || not_idle_ > 0) return true;
+    return !stopped_ && std::any_of(job_.lent.begin(), job_.lent.end(), [](std::int64_t each) { return each > 0; });
+  }
+
+  void handOut() {
+    for (int follower = 1; follower < job_.ranks && !supply_.empty(); ++follower) {
+      const auto place = static_cast<std::size_t>(follower);
+      const std::int64_t enough = enoughFor(evaluator_, job_.threads[place]);
+      if (2 * job_.lent[place] > enough) continue;
+      const Task task = supply_.cut(enough - job_.lent[place]);
+      job_.lent[place] += task.range.size();
+      job_.mailbox.send(follower, Note::kWork, packPortion(task));
+    }
+    const std::int64_t enough = enoughFor(evaluator_, job_.threads.front());
+    if (const std::int64_t has = pool_.outstanding(); !supply_.empty() && 2 * has <= enough) {
+      const Task task = supply_.cut(enough - has);
+      pool_.add({&task.range, 1}, task.given);
+    }
+  }
+
+  /// @param take_batch  what becomes of results   @returns whether anything came
+  template <class TakeBatch>
+  bool receive(TakeBatch take_batch) {
+    bool any = false;
+    while (const auto letter = job_.mailbox.poll()) {
+      any = true;
+      if (letter->note == Note::kBatch) {
+        take_batch(*letter);
+      } else if (letter->note == Note::kFailed) {
+        if (failure_.empty()) {
+          failure_ = "rank " + std::to_string(letter->rank) + ": " + Unpacker(letter->bytes).getText();
+        }
+        stop();
+      } else if (letter->note == Note::kIdle) {
+        job_.lent[static_cast<std::size_t>(letter->rank)] = 0;
+        --not_idle_;
+      }
+    }
+    return any;
+  }
+
+  void take(const Letter& letter) {
+    unpackBatch(letter.bytes, evaluator_.columns(), arrived_);
+    job_.lent[static_cast<std::size_t>(letter.rank)] -= arrived_.range.size();
+    sink_(arrived_);
+    taken_ += arrived_.range.size();
+  }
+
+  bool takeOwn() {
+    std::optional<Batch> batch = pool_.take(std::chrono::milliseconds(1));
+    if (!batch) return false;
+    sink_(*batch);
+    taken_ += batch->range.size();
+    pool_.recycle(std::move(*batch));
+    return true;
+  }
+
+  void stop() {
+    if (stopped_) return;
+    stopped_ = true;
+    supply_.drop();
+    pool_.abandon();
+    for (int follower = 1; follower < job_.ranks; ++follower) job_.mailbox.send(follower, Note::kAbandon);
+    not_idle_ = job_.ranks - 1;
+  }
+
+  MpiJob& job_;
+  const Evaluator& evaluator_;
+  const Workload& workload_;
+  const Sink& sink_;
+  WorkPool pool_;
+  Supply supply_;
+  Batch arrived_;
+  std::int64_t taken_ = 0;
+  std::string failure_;
+  bool stopped_ = false;
+  int not_idle_ = 0;  // followers that were told to abandon and have not said kIdle
+};
+
 }  // namespace
 
 bool isRankOfJob() {
@@ -56,141 +175,14 @@ bool isRankOfJob() {
   return false;
 }
 
-/// What both sides keep of the job.
-class MpiExecutor::Job {
- public:
-  explicit Job(int own_threads) {
-    int started = 0;
-    MPI_Initialized(&started);
-    if (started) throw std::runtime_error("MPI was started before in this process: make one MpiExecutor");
-    int granted = 0;
-    // Only the thread that makes this object calls MPI; the threads of the pool never do.
-    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &granted);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    threads.resize(static_cast<std::size_t>(ranks));
-    MPI_Allgather(&own_threads, 1, MPI_INT, threads.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    lent.resize(static_cast<std::size_t>(ranks));
-  }
-
-  ~Job() {
-    if (rank == 0) {
-      letGo();
-    } else if (!said_bye_) {
-      refuse();
-    }
-    mailbox.finish();
-    MPI_Finalize();
-  }
-
-  void letGo() {
-    for (int follower = 1; follower < ranks; ++follower) mailbox.send(follower, Note::kEnd);
-    for (int left = ranks - 1; left > 0;) {
-      const auto letter = mailbox.poll();
-      if (!letter) {
-        rest();
-      } else if (letter->note == Note::kBye) {
-        --left;
-      }
-    }
-  }
-
-  /// A rank that could not begin, or cannot go on: the leader must not wait for it.
-  void refuse() {
-    tellFailure("it could not evaluate the study; its own message tells why");
-    while (!said_bye_) {
-      const auto letter = mailbox.poll();
-      if (!letter) {
-        rest();
-      } else if (letter->note == Note::kAbandon) {
-        mailbox.send(0, Note::kIdle);
-      } else if (letter->note == Note::kEnd) {
-        sayBye();
-      }
-    }
-  }
-
-  /// Ranks other than the leader: evaluates what comes until the end.
-  void serve(const Evaluator& evaluator) {
-    WorkPool pool(evaluator, threads[static_cast<std::size_t>(rank)]);
-    std::deque<Portion> portions;  // their numbers stay until their designs are through
-    bool idle_wanted = false;
-    bool ending = false;
-    while (true) {
-      bool busy = false;
-      while (const auto letter = mailbox.poll()) {
-        busy = true;
-        if (letter->note == Note::kWork) {
-          const Portion& portion = portions.emplace_back(unpackPortion(letter->bytes, evaluator.given()));
-          pool.add({&portion.range, 1}, portion.given);
-        } else {
-          pool.abandon();
-          (letter->note == Note::kEnd ? ending : idle_wanted) = true;
-        }
-      }
-      try {
-        if (auto batch = pool.take(milliseconds(1))) {
-          busy = true;
-          mailbox.send(0, Note::kBatch, packBatch(*batch));
-          pool.recycle(std::move(*batch));
-        }
-      } catch (const std::exception& error) {
-        tellFailure(error.what());
-      }
-      if (pool.outstanding() == 0) {
-        portions.clear();
-        if (std::exchange(idle_wanted, false)) mailbox.send(0, Note::kIdle);
-        if (ending) break;
-      }
-      if (!busy) rest();
-    }
-    sayBye();
-  }
-
-  int rank = 0;
-  int ranks = 1;
-  std::vector<int> threads;        // (ranks)
-  std::vector<std::int64_t> lent;  // (ranks) leader: designs that a follower has and has not given back
-  Mailbox mailbox;
-
- private:
-  void tellFailure(const std::string& text) {
-    if (std::exchange(told_failure_, true)) return;
-    Packer message;
-    message.putText(text);
-    mailbox.send(0, Note::kFailed, message.take());
-  }
-  void sayBye() {
-    said_bye_ = true;
-    mailbox.send(0, Note::kBye);
-  }
-
-  bool told_failure_ = false;
-  bool said_bye_ = false;
-};
-
-namespace {
-
-/// Designs that keep a rank busy until the next portion comes: one batch in the hands of every thread, one waiting.
-std::int64_t enoughFor(const Evaluator& evaluator, int threads) { return 2 * evaluator.batchSize() * threads; }
-
-}  // namespace
-
-MpiExecutor::MpiExecutor(int threads) : threads_(ThreadExecutor(threads).threads()) {
-  job_ = std::make_unique<Job>(threads_);
-}
+MpiExecutor::MpiExecutor(int threads) : job_(std::make_unique<MpiJob>(ThreadExecutor(threads).threads())) {}
 
 MpiExecutor::~MpiExecutor() = default;
 
-bool MpiExecutor::leads() const { return job_->rank == 0; }
+bool MpiExecutor::leads() const { return job_->leads(); }
 int MpiExecutor::ranks() const { return job_->ranks; }
 int MpiExecutor::rank() const { return job_->rank; }
-
-int MpiExecutor::threads() const {
-  int sum = 0;
-  for (const int each : job_->threads) sum += each;
-  return sum;
-}
+int MpiExecutor::threads() const { return std::accumulate(job_->threads.begin(), job_->threads.end(), 0); }
 
 Ending MpiExecutor::run(const Evaluator& evaluator, const Workload& workload, const Sink& sink, const GoOn& go_on) {
   if (!leads()) {
@@ -198,92 +190,7 @@ Ending MpiExecutor::run(const Evaluator& evaluator, const Workload& workload, co
     return Ending::kFinished;
   }
   checkWorkload(evaluator, workload);
-  Job& job = *job_;
-  WorkPool pool(evaluator, threads_);
-  Supply supply(workload, evaluator.given());
-  Batch arrived;
-  std::int64_t taken = 0;
-  std::string failure;
-  bool stopped = false;
-  int not_idle = 0;  // followers that were told to abandon and have not said kIdle
-  auto asked = std::chrono::steady_clock::now();
-
-  const auto stop = [&] {
-    if (stopped) return;
-    stopped = true;
-    supply.drop();
-    pool.abandon();
-    for (int follower = 1; follower < job.ranks; ++follower) job.mailbox.send(follower, Note::kAbandon);
-    not_idle = job.ranks - 1;
-  };
-  // @param keep  false: what comes is thrown away
-  const auto receive = [&](bool keep) {
-    bool any = false;
-    while (const auto letter = job.mailbox.poll()) {
-      any = true;
-      std::int64_t& lent = job.lent[static_cast<std::size_t>(letter->rank)];
-      if (letter->note == Note::kBatch) {
-        if (!keep) continue;
-        unpackBatch(letter->bytes, evaluator.columns(), arrived);
-        lent -= arrived.range.size();
-        sink(arrived);
-        taken += arrived.range.size();
-      } else if (letter->note == Note::kFailed) {
-        if (failure.empty()) {
-          failure = "rank " + std::to_string(letter->rank) + ": " + Unpacker(letter->bytes).getText();
-        }
-        stop();
-      } else if (letter->note == Note::kIdle) {
-        lent = 0;
-        --not_idle;
-      }
-    }
-    return any;
-  };
-  const auto busy = [&] {
-    if (!supply.empty() || pool.outstanding() > 0 || not_idle > 0) return true;
-    return !stopped && std::any_of(job.lent.begin(), job.lent.end(), [](std::int64_t each) { return each > 0; });
-  };
-
-  try {
-    while (busy()) {
-      for (int follower = 1; follower < job.ranks && !supply.empty(); ++follower) {
-        const auto place = static_cast<std::size_t>(follower);
-        const std::int64_t enough = enoughFor(evaluator, job.threads[place]);
-        if (2 * job.lent[place] > enough) continue;
-        const Task task = supply.cut(enough - job.lent[place]);
-        job.lent[place] += task.range.size();
-        job.mailbox.send(follower, Note::kWork, packPortion(task));
-      }
-      const std::int64_t enough = enoughFor(evaluator, threads_);
-      if (const std::int64_t has = pool.outstanding(); !supply.empty() && 2 * has <= enough) {
-        const Task task = supply.cut(enough - has);
-        pool.add({&task.range, 1}, task.given);
-      }
-      bool any = receive(true);
-      if (auto batch = pool.take(milliseconds(1))) {
-        any = true;
-        sink(*batch);
-        taken += batch->range.size();
-        pool.recycle(std::move(*batch));
-      }
-      const auto now = std::chrono::steady_clock::now();
-      if (!stopped && go_on && now - asked >= kBetweenQuestions) {
-        asked = now;
-        if (!go_on()) stop();
-      }
-      if (!any) rest();
-    }
-  } catch (...) {
-    // The other ranks come to rest before anyone may ask for another run; what they still send belongs to this one.
-    stop();
-    while (not_idle > 0) {
-      if (!receive(false)) rest();
-    }
-    throw;
-  }
-  if (!failure.empty()) throw std::runtime_error(failure);
-  return taken == workload.designs() ? Ending::kFinished : Ending::kStopped;
+  return Lead(*job_, evaluator, workload, sink).run(go_on);
 }
 
 }  // namespace vehicle

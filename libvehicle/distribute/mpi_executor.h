@@ -34,9 +34,7 @@ class MpiExecutor : public Executor {
   [[nodiscard]] int rank() const;
 
  private:
-  class Job;
-  std::unique_ptr<Job> job_;
-  int threads_;  // of this rank
+  std::unique_ptr<class MpiJob> job_;
 };
 
 }  // namespace vehicle

@@ -35,10 +35,6 @@ std::vector<Scheme> schemesOf(const std::string& method) {
   return {Scheme::kSerial};
 }
 
-bool canBeShared(const std::string& form, const std::string& method) {
-  return whyNotShared(form, method).empty() && schemesOf(method).size() > 1;
-}
-
 std::string threadsMisfit(const std::string& form, const std::string& method, int threads, const std::string& scheme) {
   if (threads < 0 || threads > kMostThreads) {
     throw std::invalid_argument(

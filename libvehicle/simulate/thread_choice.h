@@ -15,9 +15,6 @@ inline constexpr int kMostThreads = 256;
 ///     others: serial
 [[nodiscard]] std::vector<Scheme> schemesOf(const std::string& method);
 
-/// Whether threads can share the work of a method on a form at all; "auto" then has something to choose.
-[[nodiscard]] bool canBeShared(const std::string& form, const std::string& method);
-
 /// Why this method on that form cannot run on so many threads by that scheme, in one sentence with its remedy; empty
 /// if it can, as far as names tell: a vehicle may still have fewer equations than threads.
 /// @param threads  0: chosen; 1..kMostThreads   @param scheme  schemeNames(), or empty: chosen

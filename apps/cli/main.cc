@@ -1,8 +1,9 @@
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -34,6 +35,31 @@ int perform(const Action& action) {
   }
 }
 
+int told(const std::string& page) {
+  std::cout << page;
+  return kDone;
+}
+
+struct Command {
+  Action (*add)(CLI::App&);
+  bool looks;  // whether it looks for interrupted() on its way; a signal ends the others at once
+  const CLI::App* app = nullptr;
+  Action action = {};
+};
+
+/// Their order is that of --help.
+std::vector<Command> addCommands(CLI::App& program) {
+  std::vector<Command> commands = {{addCheck, false},   {addInfo, false},   {addSimulate, true}, {addModes, false},
+                                   {addValidate, true}, {addProfile, true}, {addStudy, true},    {addSchema, false}};
+  for (Command& each : commands) {
+    each.action = each.add(program);
+    CLI::App* app = program.get_subcommands(nullptr).back();
+    app->set_help_flag("--help", "this page");
+    each.app = app;
+  }
+  return commands;
+}
+
 int run(int argc, char** argv) {
   CLI::App program("Rail vehicle dynamics: one XML vehicle, several forms that check each other.", "vehicle");
   program.formatter(std::make_shared<HelpLayout>());
@@ -41,29 +67,23 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "vehicle " VEHICLE_VERSION, "name and version");
   program.require_subcommand(1);
   program.footer("Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml");
-  std::vector<std::pair<const CLI::App*, Action>> actions;
-  for (Action (*add)(CLI::App&) : {addCheck, addInfo, addSimulate, addModes, addValidate, addProfile, addStudy, addSchema}) {
-    Action action = add(program);
-    CLI::App* command = program.get_subcommands(nullptr).back();
-    command->set_help_flag("--help", "this page");
-    actions.emplace_back(command, std::move(action));
-  }
+  const std::vector<Command> commands = addCommands(program);
 
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    std::cout << (program.get_subcommands().empty() ? program : *program.get_subcommands().front()).help();
-    return kDone;
+    const CLI::App& asked = program.get_subcommands().empty() ? program : *program.get_subcommands().front();
+    return perform([&] { return told(asked.help()); });
   } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << '\n';
-    return kDone;
+    return perform([&] { return told(std::string(version.what()) + '\n'); });
   } catch (const CLI::ParseError& error) {
     std::cerr << explain(program, error) << '\n';
     return kCommandLineIsWrong;
   }
-  catchInterrupt();
-  for (const auto& [command, action] : actions) {
-    if (command == program.get_subcommands().front()) return perform(action);
+  for (const Command& each : commands) {
+    if (each.app != program.get_subcommands().front()) continue;
+    if (each.looks) catchInterrupt();
+    return perform(each.action);
   }
   return kCommandLineIsWrong;
 }
@@ -71,4 +91,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace vehicle::cli
 
-int main(int argc, char** argv) { return vehicle::cli::run(argc, argv); }
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file as large as it may be is an error of its write, nothing to be killed for
+  return vehicle::cli::run(argc, argv);
+}

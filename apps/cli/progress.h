@@ -5,7 +5,8 @@
 
 namespace vehicle::cli {
 
-/// Ctrl-C asks for an end instead of killing: commands look here between samples. A second Ctrl-C kills.
+/// Ctrl-C and SIGTERM (timeout, batch systems) ask for an end instead of killing: commands look here between samples.
+/// The second of a kind kills.
 void catchInterrupt();
 [[nodiscard]] bool interrupted();
 

@@ -43,16 +43,22 @@ void measureWall(benchmark::State& state, int threads, long steps, Batch batch) 
   state.counters["ns_per_step"] = 1e9 * seconds / static_cast<double>(state.iterations()) / static_cast<double>(steps);
 }
 
+/// Whether a result misses what its comparison states; says so and ends the benchmark.
+inline bool isAnotherProblem(benchmark::State& state, double error, double allowed_error) {
+  if (error <= allowed_error) return false;
+  const std::string text =
+      "error " + std::to_string(1e9 * error) + "e-9 is above what this comparison states: not the same problem";
+  state.SkipWithError(text.c_str());
+  return true;
+}
+
 /// Times solve() (a whole run, giving the state at its end) after checking that it solves the same problem to
 /// the error that the comparison states.
 /// @param steps  the cost is reported as ns per one of them; 1: ns of a whole run
 template <class Solve>
 void measure(benchmark::State& state, const PaperCase& problem, double allowed_error, long steps, Solve solve) {
   const double error = problem.errorOf(solve());
-  if (!(error <= allowed_error)) {
-    state.SkipWithError(("error " + std::to_string(1e9 * error) + "e-9 is above what this comparison states: not the same problem").c_str());
-    return;
-  }
+  if (isAnotherProblem(state, error, allowed_error)) return;
   double seconds = 0.0;
   for (auto _ : state) {
     const double begin = threadSeconds();
@@ -68,7 +74,11 @@ void measure(benchmark::State& state, const PaperCase& problem, double allowed_e
 /// Registers a solver under "problem/solver" with the repetitions a median needs.
 template <class Function>
 void compare(const char* name, Function function) {
-  benchmark::RegisterBenchmark(name, function)->UseManualTime()->Repetitions(9)->MinTime(0.05)->ReportAggregatesOnly(true);
+  benchmark::RegisterBenchmark(name, function)
+      ->UseManualTime()
+      ->Repetitions(9)
+      ->MinTime(0.05)
+      ->ReportAggregatesOnly(true);
 }
 
 // Our own solvers on the paper's case, so that every program measures them in the same run as its peer.

@@ -65,7 +65,8 @@ class RatioReporter : public benchmark::ConsoleReporter {
       const double value = cost == run.counters.end() ? run.GetAdjustedRealTime() : cost->second.value;
       if (run.aggregate_name == "median") {
         entry.median = value;
-        if (const auto error = run.counters.find("error"); error != run.counters.end()) entry.error = error->second.value;
+        if (const auto error = run.counters.find("error"); error != run.counters.end())
+          entry.error = error->second.value;
         if (const auto count = run.counters.find("threads"); count != run.counters.end()) {
           entry.threads = static_cast<int>(count->second.value);
         }
@@ -81,7 +82,8 @@ class RatioReporter : public benchmark::ConsoleReporter {
       for (const auto& [peerName, peer] : measurements_) {
         if (peer.problem != ours.problem || peer.solver.starts_with("ours")) continue;
         fmt::print("{:<24} {:<26} {:>12.4g} {:>9.1e}   {:.3g} x {} ({:.4g} ns, error {:.1e})\n", ours.problem,
-                   ours.solver, ours.median, ours.error, ours.median / peer.median, peer.solver, peer.median, peer.error);
+                   ours.solver, ours.median, ours.error, ours.median / peer.median, peer.solver, peer.median,
+                   peer.error);
       }
     }
   }

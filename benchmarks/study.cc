@@ -76,8 +76,8 @@ int run(const std::string& designs, int threads, const std::string& file) {
   getrusage(RUSAGE_SELF, &usage);
   const auto n = static_cast<double>(plan.size());
   fmt::print("designs,threads,stored,seconds,designs_per_second,ns_per_design_and_speed,file_mb,memory_mb\n");
-  fmt::print("{},{},{},{:.3f},{:.0f},{:.1f},{:.1f},{:.1f}\n", plan.size(), threads, file != "none", seconds, n / seconds,
-             1e9 * seconds / n / 14.0, megabytes, static_cast<double>(usage.ru_maxrss) / 1024.0);
+  fmt::print("{},{},{},{:.3f},{:.0f},{:.1f},{:.1f},{:.1f}\n", plan.size(), threads, file != "none", seconds,
+             n / seconds, 1e9 * seconds / n / 14.0, megabytes, static_cast<double>(usage.ru_maxrss) / 1024.0);
   return 0;
 }
 

@@ -73,7 +73,8 @@ State solveErk(const PaperCase& problem, bool fixed) {
   realtype reached = 0.0;
   if (fixed) {
     // Step by step: what it returns at a time of its own choosing is interpolated, at a lower order.
-    for (long i = 0; i < kSteps; ++i) require(ERKStepEvolve(memory, 11.0, session.x, &reached, ARK_ONE_STEP), "ERKStepEvolve");
+    for (long i = 0; i < kSteps; ++i)
+      require(ERKStepEvolve(memory, 11.0, session.x, &reached, ARK_ONE_STEP), "ERKStepEvolve");
   } else {
     require(ERKStepSetStopTime(memory, 10.0), "ERKStepSetStopTime");
     require(ERKStepEvolve(memory, 10.0, session.x, &reached, ARK_NORMAL), "ERKStepEvolve");
@@ -113,7 +114,8 @@ const bool kRegistered = [] {
   add("step_1ms/sundials_erk_rk4", kSundialsRk4Error, kSteps, [](const PaperCase& p) { return solveErk(p, true); });
   add("run_10s_error_1e-8/ours_dopri5", kAdaptiveError, 1, solveDopri5);
   add("run_10s_error_1e-8/ours_exact", kAdaptiveError, 1, solveExact);
-  add("run_10s_error_1e-8/sundials_erk_dopri5", kAdaptiveError, 1, [](const PaperCase& p) { return solveErk(p, false); });
+  add("run_10s_error_1e-8/sundials_erk_dopri5", kAdaptiveError, 1,
+      [](const PaperCase& p) { return solveErk(p, false); });
   add("run_10s_error_1e-8/sundials_cvode_adams", kAdaptiveError, 1, solveCvode);
   return true;
 }();

@@ -121,7 +121,8 @@ void addRunSettings(CLI::App& command, RunChoice& choice) {
 CLI::Validator oneOf(const std::vector<std::string>& names) {
   return CLI::Validator(
       [names](std::string& word) {
-        return std::find(names.begin(), names.end(), word) != names.end() ? std::string() : unknownName("", word, names);
+        return std::find(names.begin(), names.end(), word) != names.end() ? std::string()
+                                                                          : unknownName("", word, names);
       },
       "");
 }

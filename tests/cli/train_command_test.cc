@@ -38,8 +38,9 @@ TEST(TrainCommands, CheckJudgesTrainsAndHoldsScenariosAgainstThem) {
   EXPECT_TRUE(has(run.out, "wagon_4.carbody")) << run.out;
   const std::string lost = folder.file("lost.xml", smallTrain("none.xml"));
   EXPECT_EQ(runVehicle({"check", lost}).out,
-            lost + ":2: error: <train><vehicle>: file=\"none.xml\": cannot be read: No such file or directory; check the "
-                   "name of the file\n");
+            lost +
+                ":2: error: <train><vehicle>: file=\"none.xml\": cannot be read: No such file or directory; check the "
+                "name of the file\n");
 }
 
 TEST(TrainCommands, InfoListsTheVehiclesFromTheFront) {

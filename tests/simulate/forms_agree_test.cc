@@ -55,9 +55,10 @@ TEST(MbsLinear, HasTheFlatFormsRightHandSideAtRandomStates) {
 }
 
 TEST(MbsLinear, HasTheMatrixFormsRightHandSideForEveryTopology) {
-  for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), bogiePitchVehicle(), asymmetricBogiePitchVehicle(),
-                                 contactVehicle(), hertzVehicle(), heightsVehicle(), bogiePitchHeightsVehicle(),
-                                 assembled(mixedTrain()), assembled(equalTrain(contactVehicle(), 2, 26.0))}) {
+  for (const Vehicle& vehicle :
+       {paperVehicle(), asymmetricVehicle(), bogiePitchVehicle(), asymmetricBogiePitchVehicle(), contactVehicle(),
+        hertzVehicle(), heightsVehicle(), bogiePitchHeightsVehicle(), assembled(mixedTrain()),
+        assembled(equalTrain(contactVehicle(), 2, 26.0))}) {
     EXPECT_WITHIN(rateDifference(*buildMatrixForm(vehicle, 9.81), *buildMbsForm(vehicle, 9.81, MbsLaw::kLinear)), 0.0,
                   kSameEquations) << vehicle.name;
   }
@@ -160,8 +161,9 @@ TEST(Mbs, DiffersFromTheLinearFormsByAmplitudeSquared) {
 // Central differences of the true multibody accelerations about rest: error ~ scale^2 of geometry (1e-10) and
 // 1e-16/scale of rounding (1e-11), against entries of order 1e2.
 TEST(Mbs, DifferencedAboutRestGivesTheMatrixFormsAWithAttachmentsBelowTheCentreOfGravity) {
-  for (const Vehicle& vehicle : {heightsVehicle(), bogiePitchHeightsVehicle(), withHeights(asymmetricBogiePitchVehicle(), 0.5),
-                                 paperVehicle(), withHeights(contactVehicle(), 0.3)}) {
+  for (const Vehicle& vehicle :
+       {heightsVehicle(), bogiePitchHeightsVehicle(), withHeights(asymmetricBogiePitchVehicle(), 0.5), paperVehicle(),
+        withHeights(contactVehicle(), 0.3)}) {
     const std::unique_ptr<MbsForm> mbs = buildMbsForm(vehicle, 9.81, MbsLaw::kTrue);
     const std::vector<double> x0(static_cast<std::size_t>(mbs->size()), 0.0);
     const std::vector<double> u0(2 * static_cast<std::size_t>(mbs->channels()), 0.0);

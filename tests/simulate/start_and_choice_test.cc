@@ -80,7 +80,8 @@ TEST(Simulate, RefusesWrongChoicesWithNameValueAndRule) {
             "form \"finite-elements\" is unknown; choose one of flat, matrix, mbs-linear, mbs, flat-7-printed, "
             "flat-literal, flat-literal-mb");
   EXPECT_EQ(refusal([](RunChoice& c) { c.method = "rk5"; }), "method \"rk5\" is unknown; did you mean \"rk4\"?");
-  EXPECT_EQ(refusal([](RunChoice& c) { c.form = "mbs", c.method = "exact"; }), "exact needs a linear form; mbs is nonlinear");
+  EXPECT_EQ(refusal([](RunChoice& c) { c.form = "mbs", c.method = "exact"; }),
+            "exact needs a linear form; mbs is nonlinear");
   EXPECT_EQ(refusal([](RunChoice& c) { c.form = "flat", c.method = "simbody_rkm"; }),
             "simbody_rkm integrates Simbody forms; flat is not one");
   EXPECT_EQ(refusal([](RunChoice& c) { c.step = 0.0; }), "step = 0 s, must be finite and > 0");
@@ -106,7 +107,8 @@ TEST(Simulate, EndsAnUnstableRunWithTheTimeReached) {
 }
 
 TEST(Simulate, EndsWithWhatThereIsWhenProgressSaysStop) {
-  const RunResult result = simulate(paperVehicle(), paperScenario(History::kOnset), {}, [](double share) { return share < 0.5; });
+  const RunResult result =
+      simulate(paperVehicle(), paperScenario(History::kOnset), {}, [](double share) { return share < 0.5; });
   EXPECT_TRUE(result.statistics.stopped);
   EXPECT_GT(result.history.samples(), 900u);
   EXPECT_LT(result.history.samples(), 1400u);

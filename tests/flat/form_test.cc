@@ -14,7 +14,7 @@
 #include "libvehicle/flat/flat_layout.h"
 #include "libvehicle/flat/flat_statics.h"
 #include "libvehicle/statics/rest.h"
-#include "tests/integrate/allocations.h"
+#include "tests/support/allocations.h"
 #include "tests/support/columns.h"
 #include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include "libvehicle/definition/topology.h"
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/flat/flat_train.h"
 #include "libvehicle/statics/rest.h"
-#include "tests/integrate/allocations.h"
+#include "tests/support/allocations.h"
 #include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/trains.h"

@@ -1,8 +1,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tests/integrate/allocations.h"
 #include "tests/integrate/cases.h"
+#include "tests/support/allocations.h"
 #include "tests/support/refusal.h"
 #include "tests/support/tolerance.h"
 

@@ -9,7 +9,7 @@
 
 #include "libvehicle/definition/topology.h"
 #include "libvehicle/matrix/matrix_form.h"
-#include "tests/integrate/allocations.h"
+#include "tests/support/allocations.h"
 #include "tests/support/columns.h"
 #include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"

@@ -8,7 +8,7 @@
 
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/partition/cut_order.h"
-#include "tests/integrate/allocations.h"
+#include "tests/support/allocations.h"
 #include "tests/support/mass_graph.h"
 
 namespace vehicle::test {

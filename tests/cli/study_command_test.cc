@@ -1,0 +1,160 @@
+// What is wrong with a study, its command or its files, as the user is told.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/cli/studies.h"
+
+namespace vehicle::test {
+namespace {
+
+struct Refusal {
+  std::vector<std::string> arguments;
+  int status = 2;
+  std::string message;  // all of stderr
+};
+
+void expectRefusals(const std::vector<Refusal>& refusals) {
+  for (const Refusal& each : refusals) {
+    const ProgramRun run = runVehicle(each.arguments);
+    EXPECT_EQ(run.status, each.status) << each.message;
+    EXPECT_EQ(run.out, "") << each.message;
+    EXPECT_EQ(run.err, each.message);
+  }
+}
+
+TEST(StudyCommand, WhatTheCommandLineLacksOrHasTooMuchIsTold) {
+  const TestFolder folder;
+  const std::string study = smallStudyIn(folder);
+  const std::string there = folder.file("there.sqlite", "mine");
+  const std::string to = folder.path("to.sqlite");
+  expectRefusals({
+      {{"study"}, 2, "vehicle study: STUDY|show is missing; see vehicle study --help\n"},
+      {{"study", study}, 2,
+       "vehicle: study: --output is missing, e.g. --output study.sqlite: every design is kept there\n"},
+      {{"study", study, "more.xml", "--output", to}, 2,
+       "vehicle: study: \"more.xml\" is one file too many; only `study show` takes a second\n"},
+      {{"study", study, "--output", there}, 2,
+       "vehicle: --output: " + there + " exists already; go on with it by --resume, or name another file\n"},
+      {{"study", study, "--output", folder.root().string()}, 2,
+       "vehicle: --output: " + folder.root().string() + " is a folder; name a file in it\n"},
+      {{"study", study, "--output", to, "--jobs", "0"}, 2,
+       "vehicle study: --jobs: \"0\" must be a whole number 1..1024; see vehicle study --help\n"},
+      {{"study", study, "--outptu", to}, 2,
+       "vehicle study: option \"--outptu\" is unknown; did you mean \"--output\"?\n"},
+      {{"study", "show"}, 2, "vehicle: study show: DATABASE is missing\n"},
+      {{"study", "show", there, "--output", to}, 2,
+       "vehicle: study show reads only; leave out --output and --resume\n"},
+      {{"study", "show", there, "--resume"}, 2, "vehicle: study show reads only; leave out --output and --resume\n"},
+  });
+  EXPECT_EQ(textOf(there), "mine");
+  EXPECT_FALSE(std::filesystem::exists(to));
+}
+
+TEST(StudyCommand, ADatabaseThatCannotBeShownIsNamedWithTheReason) {
+  const TestFolder folder;
+  const std::string study = smallStudyIn(folder);
+  const std::string newer = folder.path("newer.sqlite");
+  ASSERT_EQ(runVehicle({"study", study, "--output", newer}).status, 0);
+  {
+    // The user version is the big-endian number at byte 60 of an SQLite file (its format, section 1.3).
+    std::fstream file(newer, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(63);
+    file.put(9);
+  }
+  const std::string none = folder.path("none.sqlite");
+  const std::string where = folder.root().string();
+  expectRefusals({
+      {{"study", "show", study}, 3, "vehicle: " + study + ": holds no study: it is no SQLite file\n"},
+      {{"study", "show", none}, 3, "vehicle: " + none + ": cannot be opened: there is no such file\n"},
+      {{"study", "show", where}, 3, "vehicle: " + where + ": cannot be opened: it is a folder\n"},
+      {{"study", "show", newer}, 3,
+       "vehicle: " + newer + ": holds a study in format 9, this program reads format 1\n"},
+      {{"study", study, "--output", newer, "--resume"}, 3,
+       "vehicle: " + newer + ": holds a study in format 9, this program reads format 1\n"},
+      {{"study", study, "--output", study, "--resume"}, 3,
+       "vehicle: " + study + ": holds no study: it is no SQLite file\n"},
+  });
+}
+
+TEST(StudyCommand, EveryNameThatIsUnknownIsToldWithTheNearestOne) {
+  const TestFolder folder;
+  std::string text = with(smallStudy(), "spring.stiffness_z", "sprung.stiffness_z");
+  for (int time = 0; time < 2; ++time) text = with(text, "carbody.az.rms", "carbodi.az.rms");  // metric and objective
+  const std::string study = smallStudyIn(folder, text);
+  expectRefusals({{{"study", study, "--output", folder.path("to.sqlite")}, 1,
+                   study + ":5: error: <study><design><set>: parameter \"sprung.stiffness_z\" is unknown; did you mean "
+                           "\"spring.stiffness_z\"?\n" +
+                       study + ":7: error: <study><metric>: name=\"carbodi.az.rms\" asks for a column that the vehicle "
+                               "\"small\" has not; did you mean \"carbody.az\"?\n"}});
+}
+
+TEST(StudyCommand, AFileThatIsMissingIsToldOnce) {
+  const TestFolder folder;
+  const std::string none = folder.path("none.xml");
+  expectRefusals({{{"study", none, "--output", folder.path("to.sqlite")}, 1,
+                   none + ": error: cannot be read: No such file or directory; check the name of the file\n"}});
+}
+
+TEST(StudyCommand, AChangedStudyIsRefusedWithTheChangedLines) {
+  const TestFolder folder;
+  const std::string study = smallStudyIn(folder);
+  const std::string database = folder.path("study.sqlite");
+  ASSERT_EQ(runVehicle({"study", study, "--output", database}).status, 0);
+  const std::string before = textOf(database);
+  folder.file("study.xml", with(smallStudy(), "0.5 MN/m", "0.6 MN/m"));
+  folder.file("v.xml", with(smallVehicle(), "10 t", "11 t"));
+  const std::string design =
+      R"("  <design name="soft"><set parameter="spring.stiffness_z" value="0.5 MN/m"/></design>")";
+  const std::string body = R"("  <body name="carbody" mass="10 t" motion="z"/>")";
+  const std::string since = ": error: changed since " + database + " was begun: the line was ";
+  expectRefusals({{{"study", study, "--output", database, "--resume"}, 1,
+                   study + ":5" + since + design + " and is now " + with(design, "0.5", "0.6") + "\n" +
+                       folder.path("v.xml") + ":3" + since + body + " and is now " + with(body, "10", "11") + "\n" +
+                       database + ": error: holds designs of the study as it was; bring the files back, or write " +
+                       "to a new file\n"}});
+  EXPECT_EQ(textOf(database), before);
+}
+
+TEST(StudyCommand, WhatCannotBeWrittenIsToldBeforeAnyDesign) {
+  const TestFolder folder;
+  const std::string study = smallStudyIn(folder);
+  const std::string to = folder.path("to.sqlite");
+  const std::string rule = "; its folder must exist and be writable\n";
+  expectRefusals({
+      {{"study", study, "--output", "/no-such-folder/to.sqlite"}, 3,
+       "vehicle: /no-such-folder/to.sqlite: cannot be written: No such file or directory" + rule},
+      {{"study", study, "--output", study + "/to.sqlite"}, 3,
+       "vehicle: " + study + "/to.sqlite: cannot be written: Not a directory" + rule},
+      {{"study", study, "--output", "/proc/to.sqlite"}, 3,
+       "vehicle: /proc/to.sqlite: cannot be written: No such file or directory" + rule},
+      {{"study", study, "--output", to, "--export", "/no-such-folder/to.csv"}, 3,
+       "vehicle: /no-such-folder/to.csv: cannot be written: No such file or directory" + rule},
+      {{"study", study, "--output", to, "--write-best", study + "/best"}, 3,
+       "vehicle: " + study + "/best: the folder cannot be made: Not a directory\n"},
+  });
+  EXPECT_FALSE(std::filesystem::exists(to));
+}
+
+TEST(StudyCommand, AStudyThatFailsInEveryDesignSaysWhyAndEndsWithThree) {
+  const TestFolder folder;
+  const std::string wrong =
+      with(smallStudy(), "<objective", "<metric name=\"mode.carbody bounse.damping\"/>\n  <objective");
+  const std::string study = smallStudyIn(folder, wrong);
+  const ProgramRun run = runVehicle({"study", study, "--output", folder.path("study.sqlite"), "--quiet"});
+  EXPECT_EQ(run.status, 3);
+  const std::string why = "mode \"carbody bounse\" is unknown; did you mean \"carbody bounce\"?";
+  EXPECT_EQ(run.err, "vehicle: every design of the study failed: " + why + "\n");
+  EXPECT_EQ(tableCalled("failed designs", run.out), "failed designs\n"
+                                                    "  design  name    why\n"
+                                                    "       0  base    " + why + "\n"
+                                                    "       1  soft    " + why + "\n"
+                                                    "       2  damped  " + why + "\n");
+  EXPECT_TRUE(has(run.out, "\nfailed         3\n")) << run.out;
+}
+
+}  // namespace
+}  // namespace vehicle::test

@@ -25,11 +25,12 @@ void readRow(std::string_view row, const Place& place, const std::vector<Channel
   }
   for (std::size_t i = 0; i < columns.size() && problems.size() < kMostCsvProblems; ++i) {
     const Dimension dimension = study.parameters[list.parameters[i]].dimension;
-    const ParsedQuantity parsed = parseQuantity((*fields)[i] + ' ' + columns[i].unit, dimension);
+    const std::string field(trimmed((*fields)[i]));
+    const ParsedQuantity parsed = parseQuantity(field + ' ' + columns[i].unit, dimension);
     if (parsed.si && std::isfinite(*parsed.si)) {
       list.values.push_back(*parsed.si);
     } else {
-      problems.add(place, "", fmt::format("column \"{}\": \"{}\" is no number", columns[i].name, (*fields)[i]), "");
+      problems.add(place, "", fmt::format("column \"{}\": \"{}\" is no number", columns[i].name, field), "");
     }
   }
 }

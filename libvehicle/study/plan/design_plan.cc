@@ -29,50 +29,65 @@ void checkListed(const Study& study, const BoundStudy& bound, const DesignList& 
 Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignList list) {
   Outcome<DesignPlan> outcome;
   DesignPlan made;
+  made.study_ = std::move(bound);
   const Plan plan = study.plan.value_or(Plan{});
   const Place& place = study.plan ? study.plan->origin : study.origin;
-  const std::size_t factors = bound.factors.size();
-  const auto size = static_cast<std::uint64_t>(plan.size.value_or(0));
-  const auto seed = static_cast<std::uint64_t>(plan.seed);
-  if (study.search || (factors == 0 && plan.kind != PlanKind::kList)) {
-    made.points_ = 0;
-  } else if (plan.kind == PlanKind::kGrid) {
-    made.points_ = 1;
-    for (const Factor& factor : bound.factors) {
-      // Stopping at the limit keeps the product from overflowing.
-      made.points_ = std::min<std::uint64_t>(made.points_ * factor.levels.size(), kMostDesigns + 1);
-    }
-  } else if (plan.kind == PlanKind::kLatinHypercube) {
-    made.points_ = size;
-    made.plan_.emplace<LatinHypercube>(size, factors, seed);
-  } else if (plan.kind == PlanKind::kList) {
-    checkListed(study, bound, list, outcome.problems);
-    made.points_ = list.rows();
-    made.plan_ = std::move(list);
-  } else {
-    const bool saltelli = plan.kind == PlanKind::kSaltelli;
-    const std::size_t dimensions = saltelli ? 2 * factors : factors;
-    made.points_ = saltelli ? size * (factors + 2) : size;
-    if (dimensions > SobolSequence::kMostDimensions) {
-      outcome.problems.add(place, "<study><plan>", fmt::format("varies {} parameters", factors),
-                           fmt::format("a Sobol sequence has at most {} dimensions{}", SobolSequence::kMostDimensions,
-                                       saltelli ? ", saltelli takes two a parameter" : ""));
-      return outcome;
-    }
-    SobolSequence sequence(dimensions, seed);
-    if (saltelli) {
-      made.plan_ = Saltelli{std::move(sequence)};
-    } else {
-      made.plan_ = std::move(sequence);
+  const bool varies = !made.study_.factors.empty() || plan.kind == PlanKind::kList;
+  if (varies && !study.search) {
+    switch (plan.kind) {
+      case PlanKind::kGrid:
+        made.takeGrid();
+        break;
+      case PlanKind::kList:
+        checkListed(study, made.study_, list, outcome.problems);
+        made.points_ = list.rows();
+        made.plan_ = std::move(list);
+        break;
+      case PlanKind::kLatinHypercube:
+        made.points_ = static_cast<std::uint64_t>(plan.size.value_or(0));
+        made.plan_.emplace<LatinHypercube>(made.points_, made.study_.factors.size(),
+                                           static_cast<std::uint64_t>(plan.seed));
+        break;
+      case PlanKind::kSobol:
+      case PlanKind::kSaltelli:
+        if (!made.takeSequence(plan, place, outcome.problems)) return outcome;
+        break;
     }
   }
-  made.study_ = std::move(bound);
   if (made.size() > kMostDesigns) {
     outcome.problems.add(place, "<study><plan>", fmt::format("makes more than {} designs", kMostDesigns),
                          "take fewer steps, or let latin_hypercube or sobol choose among them");
   }
   if (outcome.problems.empty()) outcome.value = std::move(made);
   return outcome;
+}
+
+void DesignPlan::takeGrid() {
+  points_ = 1;
+  for (const Factor& factor : study_.factors) {
+    // Stopping at the limit keeps the product from overflowing.
+    points_ = std::min<std::uint64_t>(points_ * factor.levels.size(), kMostDesigns + 1);
+  }
+}
+
+bool DesignPlan::takeSequence(const Plan& plan, const Place& place, ProblemList& problems) {
+  const std::size_t factors = study_.factors.size();
+  const bool saltelli = plan.kind == PlanKind::kSaltelli;
+  const std::size_t dimensions = saltelli ? 2 * factors : factors;
+  if (dimensions > SobolSequence::kMostDimensions) {
+    problems.add(place, "<study><plan>", fmt::format("varies {} parameters", factors),
+                 fmt::format("a Sobol sequence has at most {} dimensions{}", SobolSequence::kMostDimensions,
+                             saltelli ? ", saltelli takes two a parameter" : ""));
+    return false;
+  }
+  points_ = static_cast<std::uint64_t>(plan.size.value_or(0)) * (saltelli ? factors + 2 : 1);
+  SobolSequence sequence(dimensions, static_cast<std::uint64_t>(plan.seed));
+  if (saltelli) {
+    plan_ = Saltelli{std::move(sequence)};
+  } else {
+    plan_ = std::move(sequence);
+  }
+  return true;
 }
 
 std::uint64_t DesignPlan::size() const {

@@ -59,6 +59,8 @@ class DesignPlan {
 
  private:
   DesignPlan() = default;
+  void takeGrid();
+  bool takeSequence(const Plan& plan, const Place& place, ProblemList& problems);
   void setNamed(std::size_t named, std::span<double> values) const;
   void setFactor(std::size_t factor, double value, std::span<double> values) const;
   void setPoint(std::uint64_t point, std::span<double> values) const;

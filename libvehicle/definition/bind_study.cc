@@ -42,6 +42,7 @@ class Binder {
     }
     bindDesigns();
     bindCases();
+    checkSettle();
     bindMetrics(study_, vehicle_, bound_, problems_);
     problems_.sortByPlace();
     Outcome<BoundStudy> outcome;
@@ -260,6 +261,22 @@ class Binder {
     for (StudyCase& each : bound_.cases) {
       if (scenarios_.size() > 1) each.label = scenarios_[each.scenario].name;
       if (given != nullptr) each.label += (each.label.empty() ? "" : ", ") + speedLabel(each.speed);
+    }
+  }
+
+  /// A run that is over before it has settled leaves nothing to measure.
+  void checkSettle() {
+    if (study_.evaluation != Evaluation::kRun) return;
+    for (const StudyCase& each : bound_.cases) {
+      Scenario scenario = scenarios_[each.scenario];
+      scenario.run.speed = each.speed;
+      const double duration = durationOf(scenario);
+      if (study_.settle <= duration) continue;
+      Judge(problems_, "<study>", study_.name, study_.origin)
+          .say("settle = " + formatQuantity(study_.settle, Dimension::kTime) + " leaves nothing of the run over \"" +
+                   scenario.name + "\", which lasts " + formatQuantity(duration, Dimension::kTime),
+               "settle less, or run longer");
+      return;
     }
   }
 

@@ -53,7 +53,14 @@ std::optional<std::vector<std::string>> splitFields(std::string_view line) {
   return fields;
 }
 
+std::string_view trimmed(std::string_view field) {
+  const std::size_t first = field.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return field.substr(first, field.find_last_not_of(" \t") - first + 1);
+}
+
 std::optional<Channel> channelOf(std::string_view field) {
+  field = trimmed(field);
   const std::size_t bracket = field.rfind(" [");
   if (bracket == std::string_view::npos || bracket == 0 || !field.ends_with(']')) return std::nullopt;
   return Channel{std::string(field.substr(0, bracket)),

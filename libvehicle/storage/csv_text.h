@@ -23,7 +23,11 @@ void appendNumber(std::string& line, double value);
 /// Fields of a line, quotes removed; nothing if a quote stays open.
 [[nodiscard]] std::optional<std::vector<std::string>> splitFields(std::string_view line);
 
-/// "carbody.z [m]" taken apart; nothing if there is no name or no unit in brackets. A plain number has "[]".
+/// Without the blanks about it, which people type after commas.
+[[nodiscard]] std::string_view trimmed(std::string_view field);
+
+/// "carbody.z [m]" taken apart, blanks about it left out; nothing if there is no name or no unit in brackets. A plain number
+/// has "[]".
 [[nodiscard]] std::optional<Channel> channelOf(std::string_view field);
 
 /// Most problems that are told of one file.

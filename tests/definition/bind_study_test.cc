@@ -186,6 +186,24 @@ TEST(BindStudy, AStandingVehicleIsNoSpeedOfAStudy) {
             "s.xml:5: error: <study><vary>: has a speed that is not above 0; a vehicle runs at all of them\n");
 }
 
+TEST(BindStudy, ASettleLongerThanARunIsToldBeforeTheFirstRun) {
+  Scenario way = test::waves("calm", 1e-3);
+  way.run.duration.reset();
+  way.run.distance = 100.0;  // 5 s at 20 m/s
+  const auto problems = [&](const std::string& settle, Evaluation evaluation) {
+    Study made = springs();
+    made.origin = line(2);
+    made.evaluation = evaluation;
+    made.settle = parseQuantity(settle, Dimension::kTime).si.value();
+    return bindStudy(made, test::paperVehicle(), {way}).problems.text();
+  };
+  EXPECT_EQ(problems("5 s", Evaluation::kRun), "");
+  EXPECT_EQ(problems("6 s", Evaluation::kRun),
+            "s.xml:2: error: <study>: settle = 6 s leaves nothing of the run over \"calm\", which "
+            "lasts 5 s; settle less, or run longer\n");
+  EXPECT_EQ(problems("6 s", Evaluation::kSteadyState), "");
+}
+
 TEST(ValueAt, RangesEndExactlyAndLogarithmicOnesDivideByRatio) {
   Factor factor;
   factor.from = 0.1;

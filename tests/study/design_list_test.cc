@@ -39,6 +39,16 @@ TEST(DesignList, RowsBecomeDesignsInTheUnitsOfTheHeader) {
   EXPECT_EQ(valuesOf(plan, 5), (std::vector<double>{860e3, 0.0071, 7e3}));
 }
 
+TEST(DesignList, BlanksAboutNamesAndNumbersCountForNothing) {
+  Study study = studyOf({}, PlanKind::kList);
+  study.plan->file = "list.csv";
+  const DesignPlan plan =
+      planFrom("secondary.stiffness_z [kN/m], carbody.mass [t]\n 600, 50\n\t700 ,60 \n", study).orThrow();
+  ASSERT_EQ(plan.size(), 3u);
+  EXPECT_EQ(valuesOf(plan, 1), (std::vector<double>{600e3, 50e3}));
+  EXPECT_EQ(valuesOf(plan, 2), (std::vector<double>{700e3, 60e3}));
+}
+
 TEST(DesignList, EveryWrongLineIsTold) {
   Study study = studyOf({}, PlanKind::kList);
   study.plan->file = "list.csv";

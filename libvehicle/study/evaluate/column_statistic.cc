@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
+
+#include <fmt/format.h>
 
 namespace vehicle {
 
@@ -77,9 +78,10 @@ double ColumnStatistic::band(std::span<const double> values, double step, double
     any = true;
   }
   if (!any) {
-    throw std::domain_error("the band " + std::to_string(low) + " .. " + std::to_string(high) +
-                            " Hz holds no line of a spectrum with lines every " + std::to_string(line) + " Hz up to " +
-                            std::to_string(0.5 / step) + " Hz: run longer, sample more finely, or widen it");
+    throw std::domain_error(
+        fmt::format("the band {:.6g} .. {:.6g} Hz holds no line of a spectrum with lines every {:.6g} Hz up to {:.6g} Hz: "
+                    "run longer, sample more finely, or widen it",
+                    low, high, line, 0.5 / step));
   }
   return std::sqrt(sum) / static_cast<double>(n);
 }

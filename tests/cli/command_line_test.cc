@@ -1,3 +1,5 @@
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -127,6 +129,28 @@ TEST(CommandLine, BashCompletionKnowsEveryCommandAndEveryOptionOfItsHelp) {
       EXPECT_TRUE(has(completion, option)) << command << " " << option;
     }
   }
+}
+
+/// What bash offers for the last word, one a line.
+std::string completed(const TestFolder& folder, const std::string& words) {
+  const std::string command = "cd '" + folder.root().string() + "' && bash -c 'source \"$0\"; COMP_WORDS=(" + words +
+                              "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _vehicle; printf \"%s\\n\" " +
+                              "\"${COMPREPLY[@]}\" | sort' '" VEHICLE_SOURCE_DIR "/apps/cli/completion/vehicle.bash' " +
+                              ">offered 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  const std::string offered = textOf(folder.path("offered"));
+  std::filesystem::remove(folder.path("offered"));
+  return offered;
+}
+
+TEST(CommandLine, BashCompletionOffersStudiesAndAfterShowDatabases) {
+  const TestFolder folder;
+  for (const char* name : {"study.xml", "done.sqlite", "table.csv"}) static_cast<void>(folder.file(name, ""));
+  EXPECT_EQ(completed(folder, "vehicle study \"\""), "show\nstudy.xml\n");
+  EXPECT_EQ(completed(folder, "vehicle study show \"\""), "done.sqlite\n");
+  EXPECT_EQ(completed(folder, "vehicle study show done.sqlite --wri"), "--write-best\n");
+  EXPECT_EQ(completed(folder, "vehicle study study.xml --export t"), "table.csv\n");
+  EXPECT_EQ(completed(folder, "vehicle stu"), "study\n");
 }
 
 }  // namespace

@@ -40,10 +40,17 @@ _vehicle() {
       schema) words="--help --xsd --markdown" ;;
     esac
   fi
+  if [[ ${COMP_WORDS[1]} == study && $previous == show ]]; then
+    mapfile -t COMPREPLY < <(compgen -f -X '!*.sqlite' -- "$current"; compgen -d -- "$current")
+    return
+  fi
+  if [[ ${COMP_WORDS[1]} == study && $COMP_CWORD == 2 && $current != -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "show" -- "$current")
+  fi
   if [[ -n $words ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
   else
-    mapfile -t COMPREPLY < <(compgen -f -X '!*.xml' -- "$current"; compgen -d -- "$current")
+    mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -X '!*.xml' -- "$current"; compgen -d -- "$current")
   fi
 }
 complete -o filenames -F _vehicle vehicle

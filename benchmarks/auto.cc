@@ -3,9 +3,9 @@
 // usage: bench_auto [train N ...] [rail] [seconds S] [turns T] [--csv FILE]
 //
 // train N   every way to run a train of N of the paper's vehicles by rk4, and auto, in turns
-// rail      one vehicle on 2, 16 and 64 harmonics, swept and with a sine and cosine at every half step: serial, pipeline
-//           and split on 1, 2 and 4 threads
-// seconds   how long the serial run should take (0.5); what auto spends on its calibration is part of its time
+// rail      one vehicle on 2, 16 and 64 harmonics, swept and with a sine and cosine at every half step: serial,
+//           pipeline and split on 1, 2 and 4 threads
+// seconds   how long the serial run should take (1); what auto spends on its calibration is part of its time
 //
 // Wall time of whole runs, threads started included. Ways more than twice as slow as the best in a run of a fiftieth of
 // that length take no part. Medians of T turns (7); the state at the end is the same in every row of a problem (hash).
@@ -55,7 +55,7 @@ struct Row {
 };
 
 struct Settings {
-  double seconds = 0.5;
+  double seconds = 1.0;
   int turns = 7;
 };
 
@@ -118,7 +118,8 @@ struct Problem {
   Problem(int count, long wanted, int harmonics = 0)
       : vehicle(trainOf(count)),
         system(buildFlatSystem(vehicle, 9.81)),
-        input(inputOf(scenarioOf(static_cast<double>(std::max(8l, wanted / 64)) * kOutput, harmonics), topologyOf(vehicle), 20.0)),
+        input(inputOf(scenarioOf(static_cast<double>(std::max(8l, wanted / 64)) * kOutput, harmonics),
+                      topologyOf(vehicle), 20.0)),
         schedule(input, kOutput),
         start(static_cast<std::size_t>(system->size()), 1e-4),
         steps(stepsOfRun(schedule, {kStep})) {}
@@ -138,7 +139,9 @@ Solver byName(const std::string& method, const std::string& scheme, int threads)
             settings.step.step = kStep;
             const SharedRun run = runShared(method, *problem.system, problem.input, problem.schedule, settings,
                                             problem.start, observe, {threads, scheme, EquationMap::kAuto, {}});
-            return threads == 0 ? fmt::format("{} {}", nameOf(run.scheme), run.threads) : std::string{};
+            return threads == 0 ? fmt::format("{} {} in {:.1f} ms", nameOf(run.scheme), run.threads,
+                                                  1e3 * run.decision.calibration)
+                                    : std::string{};
           }};
 }
 
@@ -194,10 +197,12 @@ std::vector<Row> train(int count, const Settings& settings) {
   all.push_back(byName("rk4", "", 0));
   std::vector<Row> rows = race(fmt::format("train_{}", count), problem, worthTheirTurns(probe, all), settings.turns);
   const Row& chosen = rows.back();
-  const auto best = std::min_element(rows.begin(), rows.end() - 1, [](const Row& a, const Row& b) { return a.ns < b.ns; });
+  const auto best =
+      std::min_element(rows.begin(), rows.end() - 1, [](const Row& a, const Row& b) { return a.ns < b.ns; });
   fmt::print("\ntrain of {}, {} steps\n", count, problem.steps);
   for (const Row& row : rows) {
-    fmt::print("  {:<10}{:>3}{:>14.1f} ns a step  least {:<12.1f} {}\n", row.way, row.threads, row.ns, row.least, row.chosen);
+    fmt::print("  {:<10}{:>3}{:>14.1f} ns a step  least {:<12.1f} {}\n", row.way, row.threads, row.ns, row.least,
+               row.chosen);
   }
   fmt::print("  auto is {:.3f} of the best ({} {}), {:.3f} of the serial code\n", chosen.ns / best->ns, best->way,
              best->threads, chosen.ns / rows.front().ns);
@@ -211,7 +216,8 @@ Solver literally(int threads) {
             const Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
             TeamChoice team;
             team.threads = threads;
-            runPipelined(stepper, 4, evaluatedRows(problem.input), problem.schedule, {kStep}, problem.start, observe, team);
+            runPipelined(stepper, 4, evaluatedRows(problem.input), problem.schedule, {kStep}, problem.start, observe,
+                         team);
             return std::string{};
           }};
 }
@@ -267,10 +273,13 @@ int main(int argc, char** argv) {
   if (csv.empty()) return 0;
   const bool begun = std::ifstream(csv).good();
   std::ofstream out(csv, std::ios::app);  // a row a way, of as many calls as it takes
-  if (!begun) out << "problem,way,threads,steps,ns_per_step,least_ns,spread_ns,state_hash,chosen,compiler,flags,commit\n";
+  if (!begun) {
+    out << "problem,way,threads,steps,ns_per_step,least_ns,spread_ns,state_hash,chosen,compiler,flags,commit\n";
+  }
   for (const Row& r : rows) {
-    out << fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:016x},{},g++ {},{},{}\n", r.problem, r.way, r.threads, r.steps,
-                       r.ns, r.least, r.spread, r.hash, r.chosen, __VERSION__, VEHICLE_FLAGS, VEHICLE_COMMIT);
+    out << fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:016x},{},g++ {},{},{}\n", r.problem, r.way, r.threads,
+                       r.steps, r.ns, r.least, r.spread, r.hash, r.chosen, __VERSION__, VEHICLE_FLAGS,
+                       VEHICLE_COMMIT);
   }
   return out ? 0 : 3;
 }

@@ -5,7 +5,8 @@
 // answer each other ("line_one_way": half a round trip). The last table gives every policy as a multiple of it.
 //
 // A step of Runge-Kutta exchanges four times: "step_of_4_exchanges" is what it costs before anything is computed, and
-// what a trace of every step or of every 16th adds to it; its floor is four ways of a line.
+// what a trace of every step or of every 16th adds to it; its floor is four ways of a line. With more threads than
+// cores "one_handover_of_a_core" is the floor of an exchange: two threads of one core that yield it to each other.
 
 #include <pthread.h>
 
@@ -14,6 +15,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "benchmarks/measure.h"
 #include "libvehicle/partition/exchange.h"
@@ -112,6 +114,24 @@ double lineOneWay() {
   return 0.5 * round_trips;
 }
 
+// Two threads of one core give it to each other: what every exchange costs at least where threads take turns.
+double coreHandover() {
+  const int cores = static_cast<int>(allowedCores().size());
+  alignas(128) std::atomic<long> turn{0};
+  double took = 0.0;
+  runTeam({.threads = cores + 1}, [&](Member& me) {
+    if (me.number() != 0 && me.number() != cores) return;
+    const long mine = me.number() == 0 ? 0 : 1;
+    const double begin = wallSeconds();
+    for (long i = 0; i < kExchanges; ++i) {
+      while (turn.load(std::memory_order_acquire) != 2 * i + mine) std::this_thread::yield();
+      turn.store(2 * i + mine + 1, std::memory_order_release);
+    }
+    if (mine == 0) took = wallSeconds() - begin;
+  });
+  return 0.5 * took;
+}
+
 const bool kRegistered = registerForThreads([](const std::vector<int>& thread_counts) {
   const int cores = static_cast<int>(allowedCores().size());
   for (const int threads : thread_counts) {
@@ -129,6 +149,8 @@ const bool kRegistered = registerForThreads([](const std::vector<int>& thread_co
     add("std_atomic_wait", [=] { return atomicWait(threads); });
     add("pthread_barrier", [=] { return pthreadBarrier(threads); });
     if (cores >= 2) add("line_one_way", [] { return lineOneWay(); });
+
+    if (threads > cores) add("one_handover_of_a_core", [] { return coreHandover(); });
 
     problem = "step_of_4_exchanges_" + where;
     add("ours", [=] { return stepOfFour(threads, nullptr); });

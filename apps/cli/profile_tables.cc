@@ -76,6 +76,14 @@ Table shareTable(const Profile& profile) {
   return table;
 }
 
+Table workTable(const RunResult& run) {
+  Table table{"who computes what", {{"thread", ""}, {"equations", ""}, {"which", ""}}, {}};
+  for (std::size_t i = 0; i < run.work.size(); ++i) {
+    table.rows.push_back({static_cast<long>(i + 1), static_cast<long>(run.work[i].equations), run.work[i].what});
+  }
+  return table;
+}
+
 Table waitTable(const Trace& trace) {
   Table table{"who waited for whom, in the traced steps",
               {{"thread", ""}, {"for thread", ""}, {"waits", ""}, {"together", "us"}, {"mean", "ns"}},
@@ -200,6 +208,7 @@ Document documentOf(const Profile& profile) {
        {"tracing, measured", untraced > 0.0 ? Cell(100.0 * (profile.traced.median() / untraced - 1.0)) : Cell(), "%"}});
   document.tables = {decisionTable(profile.run.decision),
                      speedTable(profile),
+                     workTable(profile.run),
                      shareTable(profile),
                      placementTable(profile.run.team),
                      waitTable(trace),

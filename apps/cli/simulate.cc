@@ -81,7 +81,7 @@ Action addSimulate(CLI::App& program) {
       ->add_option("--method", options->choice.method,
                    "rk4 | dopri5 | exact | simbody_rkm, or for a flat vehicle whose front and\nrear are alike "
                    "rk4_split | exact_split   "
-                   "(default: exact where it fits,\nelse dopri5)")
+                   "(default: exact where it fits\nand there are 64 states or fewer, else dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));
   addRunSettings(*command, options->choice);

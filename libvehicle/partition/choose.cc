@@ -15,14 +15,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kMostSpent = 0.02;          // [s]
-constexpr double kMostShare = 1.0 / 40.0;    // of the run
+constexpr double kMostSpent = 0.015;         // [s]
+constexpr double kMostShare = 1.0 / 60.0;    // of the run
 constexpr double kLeastUseful = 4e-3;        // [s] starting a few teams and stepping some milliseconds
 constexpr double kTypicalEquation = 12e-9;   // [s] a step, before anything is measured
 constexpr double kTypicalHarmonic = 1.5e-9;  // [s] a step and channel
 constexpr double kWins = 0.95;
 constexpr double kRepeats = 1.5;             // two timings of the same further apart than this mean nothing
 constexpr std::size_t kMostTried = 3;
+constexpr std::size_t kTriedTwice = 2;
 
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -66,24 +67,22 @@ Trial trialOf(const WayProblem& problem, long steps) {
 }
 
 /// [s] a step by that way, without the start of its threads.
-double timeOf(const Way& way, const Trial& trial) {
+/// @param limit  [s] a way that has not come to the end by then is broken off: it is told by what it has done
+double timeOf(const Way& way, const Trial& trial, double limit) {
   const int samples = trial.schedule.samples();
   const int first = samples / 4;  // caches are warm and all threads have come
   Clock::time_point begin;
   double took = 0.0;
+  int last = first;
   way.run(trial.input, trial.schedule, [&](int sample, int, double, std::span<const double>) {
+    if (sample < first || took > limit) return took <= limit;
     if (sample == first) begin = Clock::now();
-    if (sample == samples - 1) took = since(begin);
-    return true;
+    took = since(begin);
+    last = sample;
+    return took <= limit;
   });
-  const double steps = static_cast<double>(trial.steps) * (samples - 1 - first) / std::max(1, samples - 1);
+  const double steps = static_cast<double>(trial.steps) * (last - first) / std::max(1, samples - 1);
   return took / std::max(1.0, steps);
-}
-
-double bestOf(const Way& way, const Trial& trial, int times) {
-  double best = timeOf(way, trial);
-  for (int i = 1; i < times; ++i) best = std::min(best, timeOf(way, trial));
-  return best;
 }
 
 /// [s] of the input of one step, swept in blocks.
@@ -213,7 +212,9 @@ Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways) {
   }
   const auto stepsIn = [&](double seconds, double step) { return static_cast<long>(seconds / step); };
   const Trial probe = trialOf(problem, stepsIn(0.5e-3, guess / steps));
-  made.step = bestOf(first, probe, 2);
+  const auto probed = [&] { return timeOf(first, probe, kMostSpent); };
+  made.step = probed();
+  made.step = std::min(made.step, probed());
   made.candidates.front().measured = made.candidates.front().predicted = made.step;
   const double budget = std::min(kMostSpent, kMostShare * made.step * steps);
   if (budget < kLeastUseful) {
@@ -242,17 +243,24 @@ Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways) {
   order.resize(std::min(order.size(), kMostTried));
   if (order.empty()) return settle(nameOf(first) + ": no other way can be faster, exchanges included");
 
-  // What is left, in equal parts: each way twice, and the first way once more.
+  // What is left, in equal parts: each way once, the fastest of them again, and the first way before and after.
   const double left = std::max(0.25 * budget, budget - since(begin));
-  const double part = left / static_cast<double>(2 * order.size() + 2);
+  const double part = left / static_cast<double>(order.size() + std::min(order.size(), kTriedTwice) + 2);
   const Trial trial = trialOf(problem, stepsIn(part, made.step));
-  const double before = bestOf(first, trial, 1);
-  std::size_t best = 0;
-  for (const std::size_t i : order) {
-    made.candidates[i].measured = bestOf(ways[i], trial, 2);
-    if (best == 0 || made.candidates[i].measured < made.candidates[best].measured) best = i;
+  const double before = timeOf(first, trial, 4.0 * part);
+  const auto measured = [&](std::size_t i) { return made.candidates[i].measured; };
+  // Slower than the first way took: it has lost.
+  const auto tried = [&](std::size_t i) { return timeOf(ways[i], trial, part); };
+  for (const std::size_t i : order) made.candidates[i].measured = tried(i);
+  const auto faster = [&](std::size_t a, std::size_t b) { return measured(a) < measured(b); };
+  std::stable_sort(order.begin(), order.end(), faster);
+  for (std::size_t k = 0; k < std::min(order.size(), kTriedTwice); ++k) {
+    const std::size_t i = order[k];
+    if (since(begin) > budget) break;  // threads that are slow to start
+    made.candidates[i].measured = std::min(measured(i), tried(i));
   }
-  const double after = bestOf(first, trial, 1);
+  const std::size_t best = *std::min_element(order.begin(), order.end(), faster);
+  const double after = timeOf(first, trial, 4.0 * part);
   if (std::max(before, after) > kRepeats * std::min(before, after)) {
     return settle(nameOf(first) + ": two timings of it differ by " +
                   std::to_string(static_cast<int>(100.0 * (std::max(before, after) / std::min(before, after) - 1.0))) +

@@ -105,7 +105,7 @@ class PartsTeam {
         statistics_[p] = parts_[p].run([&](int sample, int, double, std::span<const double> x) {
           ring.put(x, me);
           return me == nullptr || sample % kBatch != 0 || !me->stopped();
-        });
+        }, me);
         ring.publish();
         if (me == nullptr || !me->stopped()) requireAll(p);
       }
@@ -141,7 +141,7 @@ class PartsTeam {
       put_ = sample + 1;
       while (shown_ < put_ && !stopped_ && !missing()) showNext(me);
       return !stopped_;
-    });
+    }, me);
     while (shown_ < put_ && !stopped_) showNext(me);
     if (!stopped_) requireAll(own);
     if (stopped_ && me != nullptr) me->stopTeam();

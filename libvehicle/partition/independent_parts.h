@@ -12,7 +12,8 @@ namespace vehicle {
 /// `integrate`, on the schedule that all of them share.
 struct IndependentPart {
   int states = 0;
-  std::function<Statistics(const Observer&)> run;
+  /// @param me  the member it runs on, for the trace of its steps; nullptr on the caller's own thread
+  std::function<Statistics(const Observer&, Member* me)> run;
 };
 
 struct PartsRun {

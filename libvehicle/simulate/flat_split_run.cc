@@ -7,6 +7,7 @@
 #include "libvehicle/integrate/failure.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
+#include "libvehicle/partition/pipeline.h"
 #include "libvehicle/system/mixed_input.h"
 
 namespace vehicle {
@@ -51,14 +52,14 @@ class SplitRun {
     };
   }
 
-  /// @param run  callable as run(half, input, start, observer)
+  /// @param run  callable as run(half, input, start, observer, member)
   template <class Run>
   PartsRun runApart(const TeamChoice& team, Run run) {
     const std::array<Input, 2> inputs = {mixedInput(both_, std::array{1.0, 0.0}),
                                          mixedInput(both_, std::array{0.0, 1.0})};
     const auto part = [&](const FlatHalf& half, std::size_t number) {
-      return IndependentPart{FlatHalfRhs::kStates, [&, number](const Observer& show) {
-                               return run(half, inputs[number], start().subspan(4 * number, 4), show);
+      return IndependentPart{FlatHalfRhs::kStates, [&, number](const Observer& show, Member* me) {
+                               return run(half, inputs[number], start().subspan(4 * number, 4), show, me);
                              }};
     };
     return runIndependentParts({part(split_.bounce(), 0), part(split_.pitch(), 1)}, schedule_.samples(), observer(),
@@ -91,17 +92,28 @@ PartsRun runFlatRk4Split(const FlatForm& form, const Input& input, const Schedul
     alone.statistics.evaluations *= 2;  // of two systems, as on two threads
     return alone;
   }
-  return run.runApart(team, [&](const FlatHalf& half, const Input& u, std::span<const double> x, const Observer& show) {
+  return run.runApart(team, [&](const FlatHalf& half, const Input& u, std::span<const double> x, const Observer& show,
+                                Member* me) {
     Rk4<FlatHalfRhs, FlatHalfRhs::kStates> stepper(half.rhs());
-    return runFixedStep(stepper, u, schedule, step, x, show);
+    if (me == nullptr || team.tracer == nullptr) return runFixedStep(stepper, u, schedule, step, x, show);
+    TracedStepper<Rk4<FlatHalfRhs, FlatHalfRhs::kStates>> traced{stepper, *me};
+    return runFixedStep(traced, u, schedule, step, x, show);
   });
 }
 
 PartsRun runFlatExactSplit(const FlatForm& form, const Input& input, const Schedule& schedule,
                            std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
   SplitRun run("exact_split", form, input, schedule, x0, observe);
-  return run.runApart(team, [&](const FlatHalf& half, const Input& u, std::span<const double> x, const Observer& show) {
-    return runExact(half, u, schedule, x, show);
+  return run.runApart(team, [&](const FlatHalf& half, const Input& u, std::span<const double> x, const Observer& show,
+                                Member* me) {
+    if (me == nullptr || team.tracer == nullptr) return runExact(half, u, schedule, x, show);
+    // A step leads from one sample to the next, over the kinks between them.
+    return runExact(half, u, schedule, x, [&](int sample, int segment, double t, std::span<const double> states) {
+      if (sample > 0) me->endStep(sample - 1);
+      const bool goes_on = show(sample, segment, t, states);
+      if (goes_on && sample + 1 < schedule.samples()) me->beginStep(sample);
+      return goes_on;
+    });
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "libvehicle/definition/topology.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/flat/flat_split.h"
 #include "libvehicle/flat/flat_train.h"
@@ -60,6 +61,10 @@ std::string splitMethodMisfit(const std::string& method, const System& form) {
 
 std::string defaultMethod(const std::string& form, int states) {
   return isLinearForm(form) && states <= kMostExactStates ? "exact" : "dopri5";
+}
+
+std::string defaultMethod(const std::string& form, const Vehicle& vehicle) {
+  return defaultMethod(form, 2 * topologyOf(vehicle).coordinates);
 }
 
 Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,

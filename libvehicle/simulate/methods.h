@@ -32,7 +32,9 @@ inline constexpr int kMostExactStates = 64;
 
 /// The method that is taken where none is named: exact where it fits and there are few states, else dopri5.
 /// @param states  of the form
-[[nodiscard]] std::string defaultMethod(const std::string& form, int states = 0);
+[[nodiscard]] std::string defaultMethod(const std::string& form, int states);
+/// The same for that vehicle or train.
+[[nodiscard]] std::string defaultMethod(const std::string& form, const Vehicle& vehicle);
 
 /// The settings of all methods; each reads its own.
 struct MethodSettings {

@@ -1,10 +1,12 @@
 #include "libvehicle/simulate/shared_run.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "libvehicle/partition/equation_graph.h"
 #include "libvehicle/partition/equation_map.h"
 #include "libvehicle/partition/placement.h"
 #include "libvehicle/partition/run.h"
@@ -15,6 +17,45 @@
 namespace vehicle {
 
 namespace {
+
+/// Equations of a share by name, in its order; of four neighbours or more the first and the last.
+std::string namesOf(const EquationSet& set, const std::vector<int>& share) {
+  constexpr int kSpelled = 4;
+  const auto name = [&](int e) -> const std::string& { return set.equations()[static_cast<std::size_t>(e)].name; };
+  std::string names;
+  for (const EquationRun& run : runsOf(share)) {
+    if (run.size() > kSpelled) {
+      names += fmt::format("{}{} to {}", names.empty() ? "" : ", ", name(run.first), name(run.last - 1));
+      continue;
+    }
+    for (int e = run.first; e < run.last; ++e) names += (names.empty() ? "" : ", ") + name(e);
+  }
+  return names;
+}
+
+std::vector<ThreadWork> workOf(const System& system, Scheme scheme, EquationMap map, int threads,
+                               const std::vector<std::vector<int>>& shares) {
+  const int all = system.size() / 2;
+  if (scheme == Scheme::kSplit) {
+    if (threads == 1) return {{all, "bounce and pitch"}};
+    return {{all / 2, "bounce: carbody and both bogies in phase"},
+            {all / 2, "pitch: carbody and both bogies in antiphase"}};
+  }
+  const EquationSet* set = system.equations();
+  std::vector<ThreadWork> work;
+  if (scheme == Scheme::kPipeline) {
+    std::vector<int> every(static_cast<std::size_t>(all));
+    std::iota(every.begin(), every.end(), 0);
+    work.push_back({all, set != nullptr ? namesOf(*set, every) : "all equations"});
+    for (int thread = 1; thread < threads; ++thread) work.push_back({0, "the rail ahead"});
+    return work;
+  }
+  for (const std::vector<int>& share : shares) work.push_back({static_cast<int>(share.size()), namesOf(*set, share)});
+  if (map == EquationMap::kPaper && scheme == Scheme::kStages) {
+    work[static_cast<std::size_t>(kRailThread)].what += ", the rail (6)";
+  }
+  return work;
+}
 
 /// One run as all ways see it.
 class Sharing {
@@ -28,10 +69,17 @@ class Sharing {
     TeamChoice team = request_.team;
     team.threads = threads;
     const auto* flat = dynamic_cast<const FlatForm*>(&system_);
-    const auto made = [&](auto run) { return SharedRun{run.statistics, scheme, threads, std::move(run.team), {}}; };
+    const auto made = [&](auto run) {
+      SharedRun shared{run.statistics, scheme, threads, std::move(run.team), {}, {}};
+      if (shared.team.members.empty()) return shared;
+      std::vector<std::vector<int>> shares;
+      if constexpr (requires { run.shares; }) shares = std::move(run.shares);
+      shared.work = workOf(system_, scheme, request_.map, threads, shares);
+      return shared;
+    };
     switch (scheme) {
       case Scheme::kSerial:
-        return {runMethod(method_, system_, input, schedule, settings_, x0_, observe), scheme, 1, {}, {}};
+        return {runMethod(method_, system_, input, schedule, settings_, x0_, observe), scheme, 1, {}, {}, {}};
       case Scheme::kPipeline:
         return made(flat != nullptr
                         ? runFlatPipeline(*flat, input, schedule, settings_.step, x0_, observe, team).run
@@ -66,6 +114,8 @@ class Sharing {
     const bool long_train = set != nullptr && set->size() >= 2 * kManyEquations * threads;
     const Scheme best = long_train ? Scheme::kHalo : Scheme::kPipeline;
     std::stable_partition(fit.begin(), fit.end(), [&](Scheme scheme) { return scheme == best; });
+    // Its one stepping thread has the whole train in its cache at every stage; trying it takes up to 64 MB of rows.
+    if (long_train) std::erase(fit, Scheme::kPipeline);
     return fit;
   }
 

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "libvehicle/partition/choose.h"
 #include "libvehicle/partition/team.h"
@@ -17,12 +18,19 @@ struct ThreadRequest {
   TeamChoice team;      // its own number of threads is not read
 };
 
+/// What one thread of a shared run computes in every step.
+struct ThreadWork {
+  int equations = 0;   // halves of a split vehicle count as the two they hold
+  std::string what;    // "carbody bounce (2), carbody pitch (3)"; of many neighbours the first and the last
+};
+
 /// What a run made, and on whom.
 struct SharedRun {
   Statistics statistics;
   Scheme scheme = Scheme::kSerial;
   int threads = 1;
   TeamReport team;    // no members where the caller's own thread did it
+  std::vector<ThreadWork> work;  // (members)
   Decision decision;  // its reason is empty where nothing was to be chosen
 };
 

@@ -111,6 +111,7 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
     result.scheme = nameOf(run.scheme);
     result.threads = run.threads;
     result.team = std::move(run.team);
+    result.work = std::move(run.work);
     result.decision = std::move(run.decision);
   } catch (const std::runtime_error& failure) {
     throw RunFailed(fmt::format("{} with {}: {}", result.form, result.method, failure.what()));

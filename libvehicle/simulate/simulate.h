@@ -11,6 +11,7 @@
 #include "libvehicle/result/time_history.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"
+#include "libvehicle/simulate/shared_run.h"
 #include "libvehicle/system/schedule.h"
 
 namespace vehicle {
@@ -43,6 +44,7 @@ struct RunResult {
   std::string scheme = "serial";
   int threads = 1;
   TeamReport team;            // one entry a thread; none where the caller's own thread did the run
+  std::vector<ThreadWork> work;  // of each of them
   Decision decision;          // what the calibration found; its reason is empty where the choice left nothing open
 };
 

@@ -109,7 +109,7 @@ class Case {
         }
       }
       if (!runs) {
-        const std::string method = defaultMethod(form);
+        const std::string method = defaultMethod(form, vehicle_);
         report_.notes.push_back(
             fmt::format("{}: none of the methods asked for can run it; it runs by {}", form, method));
         planMethod(form, method);

@@ -129,6 +129,9 @@ TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {
     // The two shares of the trace are all of it; sums of thousands of spans round.
     EXPECT_NEAR(row["computing"].get<double>() + row["waiting"].get<double>(), 100.0, 1e-9);
   }
+  ASSERT_EQ(tables["who computes what"]["rows"].size(), 4u);
+  EXPECT_EQ(tables["who computes what"]["rows"][0]["which"], "rear_bogie bounce (5)");
+  EXPECT_EQ(tables["who computes what"]["rows"][1]["which"], "carbody bounce (2), the rail (6)");
   EXPECT_EQ(tables["cores"]["rows"].size(), 4u);
   double path = 0.0;
   for (const Json& row : tables["critical path of the traced steps"]["rows"]) path += row["share"].get<double>();
@@ -150,6 +153,18 @@ TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {
   EXPECT_GT(spans, 50);  // 19 steps of four threads, each with a span at least
   EXPECT_GT(waits, 0);
   EXPECT_TRUE(has(textOf(folder.path("t.svg")), "thread 4</text>"));
+}
+
+TEST(ProfileCommand, TracesTheTwoThreadsOfASplitVehicle) {
+  const TestFolder folder;
+  const ProgramRun run = runVehicle(
+      {"profile", kVehicle, shortPaper(folder), "--threads", "2", "--method", "rk4_split", "--format", "json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json told = Json::parse(run.out);
+  EXPECT_EQ(told["facts"]["traced steps"]["value"].get<long>(),
+            (told["facts"]["steps"]["value"].get<long>() + 15) / 16);
+  ASSERT_EQ(told["tables"]["who computes what"]["rows"].size(), 2u);
+  for (const Json& row : told["tables"]["threads"]["rows"]) EXPECT_GT(row["computing"].get<double>(), 0.0);
 }
 
 TEST(ProfileCommand, SaysThatThreadsWereNotPinnedAndWhy) {

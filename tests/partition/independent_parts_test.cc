@@ -36,7 +36,7 @@ struct Problem {
 
   explicit Problem(int masses, double duration = 12.0) : input(paperOnset(duration)), schedule(input, kOutput) {
     for (int i = 0; i < masses; ++i) {
-      parts.push_back({2, [this, i](const Observer& observe) {
+      parts.push_back({2, [this, i](const Observer& observe, Member*) {
                          Rk4<Mass, 2> stepper(Mass{60.0 + 40.0 * i, 3.0 + i, i % 4});
                          return runFixedStep(stepper, input, schedule, {1e-3}, std::array{1e-3 * i, 0.0}, observe);
                        }});
@@ -75,7 +75,7 @@ std::vector<double> serialRows(const Problem& problem) {
       of_part[p].insert(of_part[p].end(), x.begin(), x.end());
       if (p == 0) moments.insert(moments.end(), {static_cast<double>(segment), t});
       return true;
-    });
+    }, nullptr);
   }
   std::vector<double> rows;
   for (std::size_t i = 0; i < moments.size(); i += 2) {
@@ -127,7 +127,7 @@ TEST(IndependentParts, AFailureOfAnyPartReachesTheCaller) {
   for (const std::size_t bad : {0u, 1u}) {
     for (const int threads : {1, 2}) {
       Problem problem(2);
-      problem.parts[bad].run = [](const Observer& observe) -> Statistics {
+      problem.parts[bad].run = [](const Observer& observe, Member*) -> Statistics {
         for (int sample = 0; sample < 100; ++sample) observe(sample, 0, sample * kOutput, std::array{0.0, 0.0});
         throw std::runtime_error("rk4: state 1 is no longer finite at t = 0.2 s");
       };
@@ -144,7 +144,7 @@ TEST(IndependentParts, AFailureOfAnyPartReachesTheCaller) {
 TEST(IndependentParts, APartThatEndsBeforeTheOthersIsToldAndDoesNotHang) {
   for (const int threads : {1, 2}) {
     Problem problem(2);
-    problem.parts[1].run = [](const Observer& observe) {
+    problem.parts[1].run = [](const Observer& observe, Member*) {
       for (int sample = 0; sample < 50; ++sample) observe(sample, 0, sample * kOutput, std::array{0.0, 0.0});
       return Statistics{};
     };

@@ -170,6 +170,32 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
   EXPECT_EQ(refusal("flat", "rk4", 4, "stages", "paper"), "not refused");
 }
 
+std::string workOf(const char* method, const char* scheme, int threads, const char* map = "auto") {
+  RunChoice choice;
+  choice.threads = threads;
+  choice.scheme = scheme;
+  choice.map = map;
+  std::string all;
+  for (const ThreadWork& work :
+       run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", method, choice).work) {
+    all += (all.empty() ? "" : " | ") + std::to_string(work.equations) + ": " + work.what;
+  }
+  return all;
+}
+
+TEST(Sharing, SaysWhichThreadComputesWhichEquations) {
+  EXPECT_EQ(workOf("rk4", "stages", 4, "paper"), "1: rear_bogie bounce (5) | 1: carbody bounce (2), the rail (6) | "
+                                                 "1: carbody pitch (3) | 1: front_bogie bounce (4)");
+  EXPECT_EQ(workOf("rk4", "halo", 2, "body"),
+            "2: carbody bounce (2), carbody pitch (3) | 2: front_bogie bounce (4), rear_bogie bounce (5)");
+  EXPECT_EQ(workOf("rk4", "pipeline", 2),
+            "4: carbody bounce (2), carbody pitch (3), front_bogie bounce (4), rear_bogie bounce (5) | "
+            "0: the rail ahead");
+  EXPECT_EQ(workOf("rk4_split", "split", 2),
+            "2: bounce: carbody and both bogies in phase | 2: pitch: carbody and both bogies in antiphase");
+  EXPECT_EQ(workOf("rk4", "serial", 1), "");
+}
+
 TEST(Sharing, ProgressEndsASharedRunEarly) {
   for (const char* scheme : {"stages", "halo", "pipeline"}) {
     RunChoice choice;

@@ -83,6 +83,33 @@ TEST(Split, StartsFromAnyStateAndEndsEarlyWhenToldTo) {
   }
 }
 
+// Both threads: each steps its half of the vehicle, and every 16th of its steps is a span of its own.
+TEST(Split, ItsStepsAreTracedOnBothThreads) {
+  for (const char* method : {"rk4_split", "exact_split"}) {
+    RunChoice choice;
+    choice.threads = 2;
+    const RunResult plain = run(paperVehicle(), paperScenario(History::kOnset), "flat", method, choice);
+    Tracer tracer(16);
+    choice.team.tracer = &tracer;
+    const RunResult traced = run(paperVehicle(), paperScenario(History::kOnset), "flat", method, choice);
+    EXPECT_EQ(historyError(traced.history, plain.history), 0.0) << method;
+    const Trace trace = tracer.trace();
+    // Of exact a step leads from sample to sample; its statistics count the pieces between kinks too.
+    const bool exact = std::string(method) == "exact_split";
+    const long steps = exact ? static_cast<long>(traced.history.samples()) - 1 : traced.statistics.steps;
+    EXPECT_EQ(trace.traced_steps, (steps + 15) / 16) << method;
+    long spans[2] = {0, 0};
+    for (const Span& span : trace.spans) {
+      EXPECT_EQ(span.step % 16, 0) << method;
+      EXPECT_LT(span.step, steps) << method;
+      ++spans[span.thread];
+    }
+    EXPECT_EQ(spans[0], trace.traced_steps) << method;
+    EXPECT_EQ(spans[1], trace.traced_steps) << method;
+    EXPECT_EQ(trace.steps.count, steps) << method;
+  }
+}
+
 std::string refusal(const Vehicle& vehicle, const std::string& form, const std::string& method, int threads) {
   try {
     RunChoice choice;

@@ -9,6 +9,7 @@
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/study/evaluate/column_statistic.h"
 #include "tests/study/inputs.h"
+#include "tests/support/trains.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle {
@@ -184,6 +185,14 @@ TEST(StudyEvaluator, FallsBackToSingleRunsAndSaysWhy) {
   const std::vector<std::vector<double>> designs = {{860e3}, {500e3}, {1.1e6}};
   const auto expected = fromHistories(inputs, designs, {});
   for (const int threads : {1, 3}) EXPECT_EQ(answersOf(inputs, designs, threads).metrics, expected);
+}
+
+// 72 states are more than exact takes unless it is asked for: the study names the method that its runs take.
+TEST(StudyEvaluator, NamesTheMethodThatALongTrainIsRunBy) {
+  const Vehicle nine = assembled(equalTrain(paperVehicle(), 9, 16.0));
+  const Study study = studyOf({range("speed", "15 m/s", "30 m/s")}, {"coach_1.carbody.az.rms"});
+  const StudyInputs inputs = inputsOf(study, nine, {paperScenario(History::kOnset)});
+  EXPECT_TRUE(choosePath(inputs).text.starts_with("runs by dopri5, flat form")) << choosePath(inputs).text;
 }
 
 TEST(StudyEvaluator, ADesignThatCannotBeIsReportedAlone) {

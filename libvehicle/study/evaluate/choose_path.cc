@@ -87,7 +87,8 @@ PathChoice choosePath(const StudyInputs& inputs) {
     choice.text = "runs by rk4 with steps of 1 ms or less, flat form, " + lanesText();
   } else {
     const std::string form = defaultForm(inputs.vehicle);
-    choice.text = "runs by " + defaultMethod(form) + ", " + form + " form, design by design: " + choice.why_not_flat;
+    choice.text = "runs by " + defaultMethod(form, inputs.vehicle) + ", " + form +
+                  " form, design by design: " + choice.why_not_flat;
   }
   return choice;
 }

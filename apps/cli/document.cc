@@ -72,12 +72,17 @@ bool isNumber(const Cell& cell) { return std::holds_alternative<double>(cell) ||
 constexpr std::size_t kPageWidth = 120;
 constexpr std::size_t kFoldedHeader = 15;  // narrower, a header makes too many lines
 
-/// A header where it may be broken: "secondary_front." "deflection." "rms " "[mm]".
+/// A header where it may be broken: "secondary_front." "deflection." "rms " "@ 80 km/h " "[mm]". Speeds and what stands
+/// in brackets stay whole.
 std::vector<std::string> piecesOf(const std::string& header) {
   std::vector<std::string> pieces(1);
+  bool whole = false;
   for (const char letter : header) {
+    if (letter == '[' && !pieces.back().empty()) pieces.emplace_back();
     pieces.back() += letter;
-    if (letter == '.' || letter == ' ') pieces.emplace_back();
+    if (letter == '(' || letter == '@') whole = true;
+    if (letter == ')' || letter == '[') whole = false;
+    if (!whole && (letter == '.' || letter == ' ')) pieces.emplace_back();
   }
   return pieces;
 }

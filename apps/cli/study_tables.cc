@@ -180,6 +180,7 @@ class Tables {
   /// One line a design: parameters, objectives, and the metrics where they are few.
   Table designs(std::string name, const std::vector<JudgedDesign>& list, bool judged) const {
     Table table{std::move(name), {{"design", ""}, {"name", ""}}, {}, 2};
+    if (for_eyes_ && judged) table.columns.push_back({"limits", ""});
     for (std::size_t p = 0; p < parameters_.size(); ++p) {
       table.columns.push_back({parameters_[p].name, parameter_units_[p].name});
     }
@@ -190,11 +191,13 @@ class Tables {
     for (std::size_t column = 0; column < columns_.size() && with_metrics; ++column) {
       table.columns.push_back({columns_[column].channel.name, unitOf(column).name});
     }
-    if (judged || !for_eyes_) table.columns.push_back({"limits", ""});
+    if (!for_eyes_) table.columns.push_back({"limits", ""});
     for (const JudgedDesign& each : list) {
       Row& row = table.rows.emplace_back();
       row.emplace_back(static_cast<long>(each.id));
       row.emplace_back(each.name);
+      const std::string verdict = each.failed() ? "failed" : each.keepsLimits() ? "kept" : "broken";
+      if (for_eyes_ && judged) row.emplace_back(verdict);
       for (std::size_t p = 0; p < parameters_.size(); ++p) {
         row.emplace_back(each.parameters[p] * parameter_units_[p].factor);
       }
@@ -212,8 +215,7 @@ class Tables {
           row.emplace_back(each.metrics[column]);
         }
       }
-      const char* verdict = each.failed() ? "failed" : each.keepsLimits() ? "kept" : "broken";
-      if (judged || !for_eyes_) row.emplace_back(std::string(verdict));
+      if (!for_eyes_) row.emplace_back(verdict);
     }
     return table;
   }

@@ -67,8 +67,8 @@ TEST(Document, HeadersOfATableThatIsTooWideAreBroken) {
   EXPECT_EQ(printed(document, Format::kTable),
             "wide\n"
             "        secondary_front.  secondary_front.  secondary_front.\n"
-            "        deflection.rms @  deflection.rms @  deflection.rms @\n"
-            "  name       0 km/h [mm]       1 km/h [mm]       2 km/h [mm]\n"
+            "          deflection.rms    deflection.rms    deflection.rms\n"
+            "  name     @ 0 km/h [mm]     @ 1 km/h [mm]     @ 2 km/h [mm]\n"
             "  base                 0                 1                 2\n");
 }
 

@@ -104,7 +104,8 @@ int main(int argc, char** argv) {
       [&](std::int64_t design, std::span<const double> given, std::span<double> row) {
         if (design % 1000 == 7) throw std::domain_error("design " + std::to_string(design) + " weighs nothing");
         if (which == "failure" && design == 700) throw std::logic_error("a mistake of ours");
-        if (which == "lost" && rank == 1 && ++evaluated == 200) ::_exit(9);
+        // In the second batch of the portion that it is given at once: a slow machine's others cannot do without it.
+        if (which == "lost" && rank == 1 && ++evaluated == 20) ::_exit(9);
         for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::sin(given[0] + static_cast<double>(i));
       },
       1);

@@ -32,7 +32,7 @@ class StudyDatabase {
   /// Opens a file to go on with the same study.
   /// @throws InvalidInput  the study is another one: one problem for each line of an input file that has changed (20
   ///                       at most), at its place in the file as it is now
-  /// @throws RunFailed     no file, no study in it, written by another program, or not writable
+  /// @throws RunFailed     no file, no study in it, damaged, written by another program, or not writable
   [[nodiscard]] static StudyDatabase resume(const std::filesystem::path& path, const StudyRecord& now);
 
   /// Opens a file to look at it; works in folders that may not be written. Where they may, what a killed program has
@@ -49,6 +49,7 @@ class StudyDatabase {
   /// Number of designs stored.
   [[nodiscard]] std::uint64_t stored() const;
   /// What is still to be evaluated, in rising order.
+  /// @throws RunFailed  a design is stored that the study does not have: the file is damaged
   [[nodiscard]] std::vector<DesignRange> missing() const;
 
   /// Stores all designs of the batch, or none of them. Batches of about 10 000 designs cost least.

@@ -60,6 +60,10 @@ std::vector<DesignRange> StudyDatabase::missing() const {
     SqliteStatement ids(*open_->connection, "SELECT id FROM designs ORDER BY id");
     while (ids.step()) {
       const auto id = static_cast<std::uint64_t>(ids.integer(0));
+      if (id < next || id >= open_->record.designs) {
+        throw RunFailed(fmt::format("{}: is damaged: it holds design {} of {}; go on with a copy, or begin a new study",
+                                    open_->shown, id, open_->record.designs));
+      }
       gapTo(id);
       next = id + 1;
     }

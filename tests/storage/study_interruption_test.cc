@@ -135,5 +135,34 @@ TEST(StudyDatabaseOnAFullDisk, ANewStudyIsRefusedAndLeavesNoFile) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
+TEST(StudyDatabaseDamaged, ItIsNotGoneOnWithAndLeftAsItIs) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy(10'000);
+  const std::string path = folder.path("study.sqlite");
+  {
+    StudyDatabase database = StudyDatabase::create(path, record);
+    database.append(batchOf(record, 0, 6'000));
+  }
+  const std::string whole = textOf(path);
+  constexpr std::size_t kPage = 16384;
+  int refused = 0;
+  int pages = 0;
+  // The cell count of a page: nothing that opening reads, except in the first pages.
+  for (std::size_t page = 4; (page + 1) * kPage <= whole.size(); page += 5, ++pages) {
+    std::string damaged = whole;
+    damaged[page * kPage + 3] = '\x7f';
+    static_cast<void>(folder.file("study.sqlite", damaged));
+    try {
+      static_cast<void>(StudyDatabase::resume(path, record));
+    } catch (const RunFailed& failure) {
+      EXPECT_NE(std::string(failure.what()).find("is damaged ("), std::string::npos) << failure.what();
+      ++refused;
+    }
+    EXPECT_TRUE(textOf(path) == damaged) << page;
+  }
+  EXPECT_GE(pages, 5);
+  EXPECT_EQ(refused, pages);
+}
+
 }  // namespace
 }  // namespace vehicle

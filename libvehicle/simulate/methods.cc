@@ -21,11 +21,6 @@ const std::vector<std::string>& methodNames() {
   return names;
 }
 
-const std::vector<std::string>& generalMethodNames() {
-  static const std::vector<std::string> names(methodNames().begin(), methodNames().begin() + 4);
-  return names;
-}
-
 bool isSplitMethod(const std::string& method) { return method == "rk4_split" || method == "exact_split"; }
 
 std::string methodMisfit(const std::string& method, const std::string& form) {

@@ -13,8 +13,6 @@ namespace vehicle {
 /// rk4, dopri5, exact, simbody_rkm, and rk4_split, exact_split: rk4 and exact in bounce and pitch coordinates, for a
 /// flat vehicle whose front and rear are alike
 [[nodiscard]] const std::vector<std::string>& methodNames();
-/// The first four: those that ask nothing of a vehicle's symmetry.
-[[nodiscard]] const std::vector<std::string>& generalMethodNames();
 /// Whether the method runs bounce and pitch apart.
 [[nodiscard]] bool isSplitMethod(const std::string& method);
 

@@ -262,11 +262,10 @@ TEST(StudyEvaluator, AModeThatIsNotThereNamesTheNearest) {
 
 TEST(StudyEvaluator, WhatIsWrongWithTheStudyIsToldBeforeAnyDesign) {
   Study study = studyOf({range("carbody.mass", "40 t", "60 t")}, {"carbody.az.rms"});
-  study.settle = 100.0;
-  const StudyInputs late = inputsOf(study, paperVehicle(), {paperScenario(History::kOnset)});
+  StudyInputs late = inputsOf(study, paperVehicle(), {paperScenario(History::kOnset)});
+  late.study.settle = 100.0;  // past bindStudy(), which refuses it
   EXPECT_THROW(StudyEvaluator{late}, std::invalid_argument);
 
-  study.settle = 0.0;
   study.evaluation = Evaluation::kSteadyState;
   Scenario dip = paperScenario(History::kOnset);
   dip.track->dips.push_back({"", DipShape::kOneMinusCosine, 0.01, 5.0, 20.0, {}, {}});

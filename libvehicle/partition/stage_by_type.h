@@ -122,10 +122,13 @@ class TypedStageMember {
   [[gnu::always_inline]] void evaluate(const State& s, const double* u, State& slope) const {
     double x[2 * kEquations];
     double dx[2 * kEquations];
-    for (std::size_t e = 0; e < kEquations; ++e) {
+    // Entry by entry: a loop would be made wide copies, through memory and between a look and the next store.
+    const auto copy = [&](auto e) {
       x[e] = s.q[e];
       x[e + kEquations] = s.v[e];
-    }
+    };
+    every<true>(copy);
+    every<false>(copy);
     rhs_(x, u, dx);
     every<true>([&](auto e) { slope.set(e, dx[e], dx[e + kEquations]); });
   }

@@ -99,14 +99,14 @@ std::vector<int> lightestRuns(const std::vector<double>& cost, const std::vector
 }
 
 Shares paperShares(const EquationSet& set, int threads) {
-  const auto refuse = [](const std::string& what) {
+  const auto refuse = [](const std::string& what, const char* remedy = "take map auto or body") {
     throw std::invalid_argument("map paper is the source paper's four threads for one vehicle of four equations; " +
-                                what + "; take map auto or body");
+                                what + "; " + remedy);
   };
   if (set.equations().size() != 4) {
     refuse("here are " + plural(static_cast<int>(set.equations().size()), "equation", "equations"));
   }
-  if (threads != 4) refuse("here are " + plural(threads, "thread", "threads"));
+  if (threads != 4) refuse("here are " + plural(threads, "thread", "threads"), "take 4, or map auto or body");
   Shares shares;
   for (const char* number : {"(5)", "(2)", "(3)", "(4)"}) {
     const auto found = std::find_if(set.equations().begin(), set.equations().end(), [&](const Equation& equation) {
@@ -192,9 +192,9 @@ std::vector<std::vector<int>> shareEquations(const EquationSet& set, EquationMap
     throw std::invalid_argument("equation map: threads = " + std::to_string(threads) + ", must be >= 1");
   }
   if (map == EquationMap::kPaper) return paperShares(set, threads);
-  if (threads > equations) refuseThreads(map, threads, equations, "equation", "equations");
   const std::vector<double> costs = costsOf(set, cost);
   if (map == EquationMap::kBody) return bodyShares(set, threads, costs);
+  if (threads > equations) refuseThreads(map, threads, equations, "equation", "equations");
   return autoShares(EquationGraph(set), threads, costs);
 }
 

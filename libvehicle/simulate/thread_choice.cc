@@ -20,7 +20,8 @@ std::string whyNotShared(const std::string& form, const std::string& method) {
     return fmt::format("{} cannot be cut into equations: Simbody computes all at once; {}", form, kRemedy);
   }
   if (method == "dopri5") {
-    return fmt::format("dopri5 is not shared among threads: each of its steps is chosen from the whole state; {}",
+    return fmt::format("dopri5 is not shared among threads: each of its steps is chosen from the whole state; {}, or "
+                       "method rk4",
                        kRemedy);
   }
   return {};

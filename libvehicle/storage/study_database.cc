@@ -112,8 +112,9 @@ void removeLogsOf(const fs::path& path) {
 void requireSound(SqliteConnection& connection, const std::string& shown) {
   SqliteStatement check(connection, "PRAGMA quick_check(1)");
   check.step();
-  const std::string_view finding = check.text(0);
+  std::string_view finding = check.text(0);
   if (finding == "ok") return;
+  finding.remove_prefix(finding.rfind('\n') + 1);  // above it stands which database
   throw RunFailed(fmt::format("{}: is damaged ({}); go on with a copy, or begin a new study", shown, finding));
 }
 

@@ -47,12 +47,12 @@ TEST(ThreadOptions, WhatIsWrongIsToldInOneLineWithStatusTwo) {
        "vehicle simulate: --scheme: \"stage\" is unknown; did you mean \"stages\"?" + see},
       {with("simulate", {"--method", "rk4", "--scheme", "stages", "--map", "paper", "--threads", "3"}),
        "vehicle: map paper is the source paper's four threads for one vehicle of four equations; here are 3 threads; "
-       "take map auto or body\n"},
+       "take 4, or map auto or body\n"},
       {with("simulate", {"--form", "mbs", "--threads", "2"}),
        "vehicle: mbs cannot be cut into equations: Simbody computes all at once; take --threads 1\n"},
       {with("simulate", {"--method", "dopri5", "--threads", "2"}),
        "vehicle: dopri5 is not shared among threads: each of its steps is chosen from the whole state; take "
-       "--threads 1\n"},
+       "--threads 1, or method rk4\n"},
       {with("profile", {"--realtime", "0 ms"}),
        "vehicle profile: --realtime: \"0 ms\" must be finite and > 0; see vehicle profile --help\n"},
       {with("profile", {"--realtime", "1 m"}),

@@ -89,13 +89,21 @@ TEST(EquationMap, PaperIsThePrintedDistribution) {
 TEST(EquationMap, PaperRefusesAnythingElseWithTheReason) {
   EXPECT_EQ(refusal(vehicleSet(), EquationMap::kPaper, 2),
             "map paper is the source paper's four threads for one vehicle of four equations; here are 2 threads; take "
-            "map auto or body");
+            "4, or map auto or body");
   EXPECT_EQ(refusal(massChain(8).set(), EquationMap::kPaper, 4),
             "map paper is the source paper's four threads for one vehicle of four equations; here are 8 equations; "
             "take map auto or body");
   EXPECT_EQ(refusal(massVehicle().set(), EquationMap::kPaper, 4),
             "map paper is the source paper's four threads for one vehicle of four equations; here no equation is "
             "named (5); take map auto or body");
+}
+
+TEST(EquationMap, BodyTellsTheMostThreadsThatItCanTakeWhateverIsAsked) {
+  for (const int threads : {4, 5, 100}) {
+    EXPECT_EQ(refusal(vehicleSet(), EquationMap::kBody, threads),
+              std::to_string(threads) +
+                  " threads for 3 bodies: map body gives every thread at least one; take at most 3");
+  }
 }
 
 TEST(EquationMap, BodyKeepsTheEquationsOfABodyTogether) {

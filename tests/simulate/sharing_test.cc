@@ -155,7 +155,10 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
   EXPECT_EQ(refusal("mbs", "rk4", 2, ""), "mbs cannot be cut into equations: Simbody computes all at once; "
                                           "take --threads 1");
   EXPECT_EQ(refusal("flat", "dopri5", 2, ""),
-            "dopri5 is not shared among threads: each of its steps is chosen from the whole state; take --threads 1");
+            "dopri5 is not shared among threads: each of its steps is chosen from the whole state; take --threads 1, "
+            "or method rk4");
+  EXPECT_EQ(refusal("flat", "exact", 16, ""),
+            "16 threads for 4 equations: every thread computes at least one; take at most 4");
   EXPECT_EQ(refusal("flat", "rk4", -1, ""), "threads = -1, must be 1..256, or 0 to let a calibration choose");
   EXPECT_EQ(refusal("flat", "rk4", 2, "serial"),
             "scheme serial runs on one thread, not on 2; take --threads 1, or another scheme");

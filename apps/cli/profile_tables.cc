@@ -120,6 +120,9 @@ std::vector<Fact> namesOf(const Model& model, const std::string& form, const std
 }
 
 std::string titleOf(const Profile& profile, const std::string& vehicle) {
+  if (profile.run.team.members.empty()) {
+    return fmt::format("{}: {} on the program's own thread, nothing to show", vehicle, profile.run.method);
+  }
   return fmt::format("{}: {} by {} on {} threads, {} cores allowed", vehicle, profile.run.method, profile.run.scheme,
                      profile.run.threads, profile.run.team.cores.size());
 }

@@ -178,9 +178,9 @@ SharedRun runShared(const std::string& method, const System& system, const Input
   if (ways.empty()) {
     const EquationSet* set = system.equations();
     if (set != nullptr && set->equations().size() > 1) {
-      throw std::invalid_argument(fmt::format("{} threads for {} equations: every thread computes at least one; take at "
-                                              "most {}",
-                                              request.threads, set->equations().size(), set->equations().size()));
+      throw std::invalid_argument(
+          fmt::format("{} threads for {} equations: every thread computes at least one; take at most {}",
+                      request.threads, set->equations().size(), set->equations().size()));
     }
     throw std::invalid_argument(
         fmt::format("{} of this form has no more than one equation to share; take --threads 1", method));

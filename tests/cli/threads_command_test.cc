@@ -219,6 +219,15 @@ TEST(ProfileCommand, CtrlCEndsARealTimeRunAndTellsWhatWasSeen) {
   EXPECT_TRUE(has(run.out, "deadline misses")) << run.out;
 }
 
+TEST(ProfileCommand, ATraceOfASerialRunSaysThatThereIsNothingToShow) {
+  const TestFolder folder;
+  const std::string trace = folder.path("trace.json");
+  const ProgramRun run =
+      runVehicle({"profile", kVehicle, shortPaper(folder), "--threads", "1", "--trace", trace});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(textOf(trace).find("rk4 on the program's own thread, nothing to show"), std::string::npos);
+}
+
 TEST(ProfileCommand, CtrlCEndsALongProfile) {
   const TestFolder folder;
   const std::string scenario =

@@ -138,8 +138,14 @@ TEST(DesignPlan, TooManyDesignsAreRefusedWithoutCountingThem) {
   const Outcome<DesignPlan> plan =
       DesignPlan::of(study, bindStudy(study, test::paperVehicle(), {test::waves()}).orThrow());
   EXPECT_EQ(plan.problems.text(),
-            "study.xml:9: error: <study><plan>: makes more than 1000000000 designs; take fewer steps, or "
-            "let latin_hypercube or sobol choose among them\n");
+            "study.xml:9: error: <study><plan>: makes more than 1000000000 designs, base and named ones counted; take "
+            "fewer steps, or let latin_hypercube or sobol choose among them\n");
+  Study sampled = studyOf({range("carbody.mass", "50 t", "60 t")}, PlanKind::kSobol);
+  sampled.plan->size = 1'000'000'000;
+  const BoundStudy bound = bindStudy(sampled, test::paperVehicle(), {test::waves()}).orThrow();
+  EXPECT_EQ(DesignPlan::of(sampled, bound).problems.text(),
+            "error: <study><plan>: makes more than 1000000000 designs, base and named ones counted; take a smaller "
+            "size\n");
 }
 
 TEST(DesignPlan, ASearchAsksForPlacesInTheUnitCube) {

@@ -79,8 +79,8 @@ double ColumnStatistic::band(std::span<const double> values, double step, double
   }
   if (!any) {
     throw std::domain_error(
-        fmt::format("the band {:.6g} .. {:.6g} Hz holds no line of a spectrum with lines every {:.6g} Hz up to {:.6g} Hz: "
-                    "run longer, sample more finely, or widen it",
+        fmt::format("the band {:.6g} .. {:.6g} Hz holds no line of a spectrum with lines every {:.6g} Hz up to "
+                    "{:.6g} Hz: run longer, sample more finely, or widen it",
                     low, high, line, 0.5 / step));
   }
   return std::sqrt(sum) / static_cast<double>(n);

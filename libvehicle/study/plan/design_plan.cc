@@ -55,8 +55,11 @@ Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignL
     }
   }
   if (made.size() > kMostDesigns) {
-    outcome.problems.add(place, "<study><plan>", fmt::format("makes more than {} designs", kMostDesigns),
-                         "take fewer steps, or let latin_hypercube or sobol choose among them");
+    const bool sampled = plan.kind != PlanKind::kGrid && plan.kind != PlanKind::kList;
+    outcome.problems.add(place, "<study><plan>",
+                         fmt::format("makes more than {} designs, base and named ones counted", kMostDesigns),
+                         sampled ? "take a smaller size"
+                                 : "take fewer steps, or let latin_hypercube or sobol choose among them");
   }
   if (outcome.problems.empty()) outcome.value = std::move(made);
   return outcome;

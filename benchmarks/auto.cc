@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -206,6 +207,7 @@ std::vector<Row> train(int count, const Settings& settings) {
   }
   fmt::print("  auto is {:.3f} of the best ({} {}), {:.3f} of the serial code\n", chosen.ns / best->ns, best->way,
              best->threads, chosen.ns / rows.front().ns);
+  std::fflush(stdout);
   return rows;
 }
 

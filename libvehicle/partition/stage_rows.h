@@ -9,7 +9,9 @@
 // as long as it is shorter than that way: the row of the middle, a part of the clock of the next block, the row of the
 // end. A thread that reads no channel makes no rows.
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "libvehicle/partition/rail_rows.h"

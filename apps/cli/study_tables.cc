@@ -102,7 +102,8 @@ class Tables {
     const double value = design.metrics[column];
     std::string text = fmt::format("{:.5g}", value * unitOf(column).factor + 0.0);
     if (base_ != nullptr && design.id != 0 && base_->metrics[column] != 0.0) {
-      text += fmt::format(" ({:+.1f} %)", changeOf(value, base_->metrics[column]));
+      const double change = std::round(10.0 * changeOf(value, base_->metrics[column])) / 10.0;
+      text += fmt::format(" ({:+.1f} %)", change + 0.0);  // never -0.0
     }
     if (!bound_.limits.empty()) text += breaksLimit(column, value) ? " !" : "  ";
     return text;

@@ -114,7 +114,7 @@ StudySummary show(const StudyOptions& options, const std::string& path, const St
     if (!options.common.quiet) std::cerr << text << '\n';
   };
   if (!options.csv.empty()) {
-    database.writeCsv(options.csv);
+    database.writeCsv(options.csv, [&](std::uint64_t design) { return designName(work.inputs, work.plan, design); });
     remark("written: " + options.csv);
   }
   if (options.best_folder.empty()) return summary;

@@ -15,7 +15,7 @@ NR == 1 {
   next
 }
 
-$2 == "done" {
+$3 == "done" {
   x[$1] = 0; for (i in across) if ($i > x[$1]) x[$1] = $i
   y[$1] = 0; for (i in up) if (1000 * $i > y[$1]) y[$1] = 1000 * $i
   if ($1 > last) last = $1

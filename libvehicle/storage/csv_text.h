@@ -18,7 +18,7 @@ void appendField(std::string& line, std::string_view text);
 /// Appends the shortest text that reads back to the same bits.
 void appendNumber(std::string& line, double value);
 
-/// Cuts the next line off `rest`, without its end (LF or CR LF).
+/// Cuts the next line off `rest`, without its end (LF, CR LF, or CR alone).
 [[nodiscard]] std::string_view takeLine(std::string_view& rest);
 /// Fields of a line, quotes removed; nothing if a quote stays open.
 [[nodiscard]] std::optional<std::vector<std::string>> splitFields(std::string_view line);

@@ -5,9 +5,16 @@
 
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <system_error>
 
 namespace vehicle {
+namespace {
+
+// A device without end must not take the memory of the machine.
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+
+}  // namespace
 
 Outcome<std::string> readFile(const std::filesystem::path& path) {
   Outcome<std::string> outcome;
@@ -20,6 +27,7 @@ Outcome<std::string> readFile(const std::filesystem::path& path) {
     if (got < 0 && errno != EINTR) error = errno;
     if (got == 0) break;
     if (got > 0) bytes.append(block.data(), static_cast<std::size_t>(got));
+    if (bytes.size() > kMostBytes) error = EFBIG;
   }
   if (descriptor >= 0) ::close(descriptor);
   if (error == 0) {

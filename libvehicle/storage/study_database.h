@@ -63,9 +63,12 @@ class StudyDatabase {
   /// The whole table as comma-separated text, one line a design in the order of ids, written atomically; every number
   /// is the shortest text that reads back to the same bits, the metrics of failed designs are empty.
   ///
-  ///     design,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
+  ///     design,name,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
+  ///
+  /// @param nameOf  what to call a design by its id; without it there is no column of names
   /// @throws RunFailed
-  void writeCsv(const std::filesystem::path& path) const;
+  void writeCsv(const std::filesystem::path& path,
+                const std::function<std::string(std::uint64_t)>& nameOf = nullptr) const;
 
  private:
   struct Open;

@@ -138,9 +138,10 @@ void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visi
   }
 }
 
-void StudyDatabase::writeCsv(const std::filesystem::path& path) const {
+void StudyDatabase::writeCsv(const std::filesystem::path& path,
+                             const std::function<std::string(std::uint64_t)>& nameOf) const {
   AtomicFile file(path);
-  std::string text = "design,status";
+  std::string text = nameOf ? "design,name,status" : "design,status";
   for (const std::vector<Channel>* list : {&open_->record.parameters, &open_->record.metrics}) {
     for (const Channel& each : *list) {
       text += ',';
@@ -152,6 +153,10 @@ void StudyDatabase::writeCsv(const std::filesystem::path& path) const {
   const std::size_t metrics = open_->record.metrics.size();
   forEach([&](const StoredDesign& design) {
     text += std::to_string(design.id);
+    if (nameOf) {
+      text += ',';
+      appendField(text, nameOf(design.id));
+    }
     text += design.status == DesignStatus::kDone ? ",done" : ",failed";
     for (const double value : design.parameters) {
       text += ',';

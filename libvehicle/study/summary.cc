@@ -146,7 +146,7 @@ class Summary {
   JudgedDesign judged(const StoredDesign& design) const {
     JudgedDesign made;
     made.id = design.id;
-    made.name = nameOf(design.id);
+    made.name = designName(inputs_, plan_, design.id);
     made.parameters.assign(design.parameters.begin(), design.parameters.end());
     made.message = design.message;
     if (design.status == DesignStatus::kFailed) return made;
@@ -154,11 +154,6 @@ class Summary {
     made.objectives = verdict_.objectives(design.metrics);
     made.violations = verdict_.violations(design.metrics);
     return made;
-  }
-
-  std::string nameOf(std::uint64_t design) const {
-    if (design < plan_.size()) return plan_.nameOf(design);
-    return SearchNumbers(plan_, *inputs_.study.search).nameOf(design);
   }
 
   const StudyDatabase& database_;
@@ -180,6 +175,11 @@ class Summary {
 
 bool JudgedDesign::keepsLimits() const {
   return !failed() && std::all_of(violations.begin(), violations.end(), [](double each) { return each == 0.0; });
+}
+
+std::string designName(const StudyInputs& inputs, const DesignPlan& plan, std::uint64_t design) {
+  if (design < plan.size()) return plan.nameOf(design);
+  return SearchNumbers(plan, *inputs.study.search).nameOf(design);
 }
 
 StudySummary summarise(const StudyDatabase& database, const StudyInputs& inputs, const DesignPlan& plan,

@@ -48,6 +48,9 @@ struct StudySummary {
   std::vector<Influence> influences;
 };
 
+/// "base", a named design's name, "soft #12" for a point of the plan, or its place in the search.
+[[nodiscard]] std::string designName(const StudyInputs& inputs, const DesignPlan& plan, std::uint64_t design);
+
 struct SummaryChoice {
   std::size_t best = 5;       // of each objective
   std::size_t all_up_to = 40; // designs that are compared one by one

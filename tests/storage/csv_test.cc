@@ -75,6 +75,8 @@ TEST(Csv, FilesEditedElsewhereAreRead) {  // byte-order mark, CR LF, no end of t
   ASSERT_EQ(history.samples(), 2u);
   EXPECT_EQ(history.at(0, 1), 1e-3);
   EXPECT_EQ(history.at(1, 1), -2.5);
+  scratch.file("old.csv", "time [s],carbody.z [m]\r0,1e-3\r0.005,-2.5\r");  // CR alone
+  EXPECT_EQ(readCsv(scratch.path("old.csv")).orThrow().at(1, 1), -2.5);
 }
 
 TEST(Csv, ValueThatIsNotFiniteIsNeverWritten) {
@@ -121,6 +123,10 @@ TEST(CsvReader, AFileOfWrongRowsEndsAfterTwentyProblems) {
   const TestFolder scratch;
   scratch.file("run.csv", text);
   EXPECT_EQ(readCsv(scratch.path("run.csv")).problems.size(), 20u);
+}
+
+TEST(CsvReader, AFileWithoutEndIsRefusedBeforeItFillsTheMemory) {
+  EXPECT_EQ(readCsv("/dev/zero").problems.text(), "/dev/zero: error: cannot be read: File too large\n");
 }
 
 TEST(CsvReader, MissingFileAndFolderAreToldWithTheSystemsReason) {

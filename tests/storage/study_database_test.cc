@@ -263,6 +263,22 @@ TEST(StudyDatabase, NamesThatDifferInCaseOrQuotesAreColumnsOfTheirOwn) {
   EXPECT_THROW(static_cast<void>(StudyDatabase::create(folder.path("twice.sqlite"), record)), std::invalid_argument);
 }
 
+TEST(StudyDatabase, TheCsvNamesTheDesignsWhereNamesAreTold) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy(2);
+  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+  database.append(batchOf(record, 0, 2));
+  database.writeCsv(folder.path("study.csv"), [](std::uint64_t id) { return id == 0 ? "base" : "soft, \"1\""; });
+  const std::string text = textOf(folder.path("study.csv"));
+  std::string_view rest = text;
+  EXPECT_TRUE(takeLine(rest).starts_with("design,name,status,carbody.mass [kg],"));
+  for (const char* name : {"base", "soft, \"1\""}) {
+    const auto fields = splitFields(takeLine(rest)).value();
+    ASSERT_EQ(fields.size(), 9u);
+    EXPECT_EQ(fields[1], name);
+  }
+}
+
 TEST(StudyDatabase, TheCsvHoldsEveryDesignWithNumbersThatReadBack) {
   const TestFolder folder;
   const StudyRecord record = smallStudy(5);

@@ -18,9 +18,9 @@
 #include <thread>
 
 #include "benchmarks/measure.h"
-#include "libvehicle/partition/exchange.h"
-#include "libvehicle/partition/placement.h"
-#include "libvehicle/partition/team.h"
+#include "libvehicle/partition/team/exchange.h"
+#include "libvehicle/partition/team/placement.h"
+#include "libvehicle/partition/team/team.h"
 
 namespace vehicle::bench {
 namespace {

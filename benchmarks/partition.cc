@@ -27,11 +27,11 @@
 #include "libvehicle/flat/flat_model.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
-#include "libvehicle/partition/blocked_rk4.h"
-#include "libvehicle/partition/cut_order.h"
-#include "libvehicle/partition/placement.h"
+#include "libvehicle/partition/map/cut_order.h"
 #include "libvehicle/partition/run.h"
-#include "libvehicle/partition/stage_by_type.h"
+#include "libvehicle/partition/schemes/blocked_rk4.h"
+#include "libvehicle/partition/schemes/stage_by_type.h"
+#include "libvehicle/partition/team/placement.h"
 
 namespace vehicle::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "apps/cli/model_options.h"
-#include "libvehicle/partition/trace.h"
+#include "libvehicle/partition/watch/trace.h"
 #include "libvehicle/simulate/simulate.h"
 
 namespace vehicle::cli {

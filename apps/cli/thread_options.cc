@@ -7,7 +7,7 @@
 
 #include "apps/cli/options.h"
 #include "libvehicle/partition/scheme.h"
-#include "libvehicle/partition/waiting.h"
+#include "libvehicle/partition/team/waiting.h"
 #include "libvehicle/simulate/thread_choice.h"
 
 namespace vehicle::cli {

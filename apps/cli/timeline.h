@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "libvehicle/partition/trace.h"
+#include "libvehicle/partition/watch/trace.h"
 
 namespace vehicle::cli {
 

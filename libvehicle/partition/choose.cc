@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "libvehicle/integrate/fixed_step_run.h"
-#include "libvehicle/partition/equation_graph.h"
-#include "libvehicle/partition/equation_map.h"
-#include "libvehicle/partition/exchange.h"
+#include "libvehicle/partition/map/equation_graph.h"
+#include "libvehicle/partition/map/equation_map.h"
+#include "libvehicle/partition/team/exchange.h"
 
 namespace vehicle {
 namespace {

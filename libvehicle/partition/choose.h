@@ -6,7 +6,7 @@
 
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/scheme.h"
-#include "libvehicle/partition/team.h"
+#include "libvehicle/partition/team/team.h"
 #include "libvehicle/system/schedule.h"
 #include "libvehicle/system/system.h"
 

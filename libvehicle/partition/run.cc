@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "libvehicle/partition/exact_rows.h"
-#include "libvehicle/partition/halo_exchange.h"
-#include "libvehicle/partition/pipeline.h"
-#include "libvehicle/partition/stage_exchange.h"
+#include "libvehicle/partition/schemes/exact_rows.h"
+#include "libvehicle/partition/schemes/halo_exchange.h"
+#include "libvehicle/partition/schemes/pipeline.h"
+#include "libvehicle/partition/schemes/stage_exchange.h"
 
 namespace vehicle {
 

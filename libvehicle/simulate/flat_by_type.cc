@@ -7,7 +7,7 @@
 #include "libvehicle/integrate/failure.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
-#include "libvehicle/partition/stage_by_type.h"
+#include "libvehicle/partition/schemes/stage_by_type.h"
 
 namespace vehicle {
 

@@ -4,8 +4,8 @@
 
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/integrate/run.h"
-#include "libvehicle/partition/pipeline.h"
 #include "libvehicle/partition/run.h"
+#include "libvehicle/partition/schemes/pipeline.h"
 
 namespace vehicle {
 

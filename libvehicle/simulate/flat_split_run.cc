@@ -7,7 +7,7 @@
 #include "libvehicle/integrate/failure.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
-#include "libvehicle/partition/pipeline.h"
+#include "libvehicle/partition/schemes/pipeline.h"
 #include "libvehicle/system/mixed_input.h"
 
 namespace vehicle {

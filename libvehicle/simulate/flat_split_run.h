@@ -4,7 +4,7 @@
 
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/integrate/run.h"
-#include "libvehicle/partition/independent_parts.h"
+#include "libvehicle/partition/schemes/independent_parts.h"
 
 namespace vehicle {
 

@@ -9,7 +9,7 @@
 #include "libvehicle/flat/flat_split.h"
 #include "libvehicle/flat/flat_train.h"
 #include "libvehicle/mbs/mbs_form.h"
-#include "libvehicle/partition/blocked_rk4.h"
+#include "libvehicle/partition/schemes/blocked_rk4.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/forms.h"

@@ -5,7 +5,7 @@
 
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/vehicle.h"
-#include "libvehicle/partition/realtime.h"
+#include "libvehicle/partition/team/realtime.h"
 #include "libvehicle/simulate/simulate.h"
 
 namespace vehicle {

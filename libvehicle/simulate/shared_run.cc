@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/partition/equation_graph.h"
-#include "libvehicle/partition/equation_map.h"
-#include "libvehicle/partition/placement.h"
+#include "libvehicle/partition/map/equation_graph.h"
+#include "libvehicle/partition/map/equation_map.h"
 #include "libvehicle/partition/run.h"
+#include "libvehicle/partition/team/placement.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/thread_choice.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libvehicle/partition/choose.h"
-#include "libvehicle/partition/team.h"
+#include "libvehicle/partition/team/team.h"
 #include "libvehicle/simulate/methods.h"
 
 namespace vehicle {

@@ -7,7 +7,7 @@
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/partition/choose.h"
-#include "libvehicle/partition/team.h"
+#include "libvehicle/partition/team/team.h"
 #include "libvehicle/result/time_history.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"

@@ -12,7 +12,7 @@ namespace vehicle {
 namespace {
 
 // A device without end must not take the memory of the machine.
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 
 namespace vehicle {
 
-/// All bytes of a file, at most 1 GiB, or the system's reason why not as a problem of that file.
+/// All bytes of a file, at most 256 MiB, or the system's reason why not as a problem of that file.
 [[nodiscard]] Outcome<std::string> readFile(const std::filesystem::path& path);
 
 }  // namespace vehicle

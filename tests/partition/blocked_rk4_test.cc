@@ -1,5 +1,5 @@
 // The step as one pass through the cache: any block length, any run of wanted equations, no allocation.
-#include "libvehicle/partition/blocked_rk4.h"
+#include "libvehicle/partition/schemes/blocked_rk4.h"
 
 #include <cmath>
 #include <cstring>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/integrate/rk4.h"
-#include "libvehicle/partition/cut_order.h"
+#include "libvehicle/partition/map/cut_order.h"
 #include "tests/support/allocations.h"
 #include "tests/support/mass_graph.h"
 

@@ -1,4 +1,4 @@
-#include "libvehicle/partition/critical_path.h"
+#include "libvehicle/partition/watch/critical_path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "libvehicle/partition/duration_histogram.h"
+#include "libvehicle/partition/watch/duration_histogram.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/partition/delays.h"
+#include "tests/support/delays.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle {

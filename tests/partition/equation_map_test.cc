@@ -1,4 +1,4 @@
-#include "libvehicle/partition/equation_map.h"
+#include "libvehicle/partition/map/equation_map.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/partition/equation_graph.h"
+#include "libvehicle/partition/map/equation_graph.h"
 #include "tests/support/mass_graph.h"
 
 namespace vehicle::test {

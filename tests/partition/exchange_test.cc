@@ -1,4 +1,4 @@
-#include "libvehicle/partition/exchange.h"
+#include "libvehicle/partition/team/exchange.h"
 
 #include <cstdint>
 #include <stdexcept>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/partition/delays.h"
-#include "tests/partition/watchdog.h"
+#include "tests/support/delays.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle {
 namespace {

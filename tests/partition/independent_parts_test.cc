@@ -1,4 +1,4 @@
-#include "libvehicle/partition/independent_parts.h"
+#include "libvehicle/partition/schemes/independent_parts.h"
 
 #include <array>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "libvehicle/partition/mailbox.h"
+#include "libvehicle/partition/team/mailbox.h"
 
 #include <array>
 #include <atomic>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/partition/delays.h"
-#include "tests/partition/watchdog.h"
+#include "tests/support/delays.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle {
 namespace {

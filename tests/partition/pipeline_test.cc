@@ -1,4 +1,4 @@
-#include "libvehicle/partition/pipeline.h"
+#include "libvehicle/partition/schemes/pipeline.h"
 
 #include <algorithm>
 #include <atomic>

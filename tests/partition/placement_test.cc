@@ -1,4 +1,4 @@
-#include "libvehicle/partition/placement.h"
+#include "libvehicle/partition/team/placement.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/partition/team.h"
-#include "tests/partition/affinity.h"
+#include "libvehicle/partition/team/team.h"
+#include "tests/support/affinity.h"
 
 namespace vehicle {
 namespace {

@@ -1,4 +1,4 @@
-#include "libvehicle/partition/realtime.h"
+#include "libvehicle/partition/team/realtime.h"
 
 #include <sched.h>
 
@@ -13,9 +13,9 @@
 
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
-#include "libvehicle/partition/placement.h"
-#include "tests/partition/delays.h"
-#include "tests/partition/watchdog.h"
+#include "libvehicle/partition/team/placement.h"
+#include "tests/support/delays.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle {
 namespace {

@@ -2,12 +2,12 @@
 // threads, on kinks, under delays, stopped early and gone infinite.
 #include <cmath>
 
-#include "libvehicle/partition/blocked_rk4.h"
-#include "libvehicle/partition/equation_map.h"
-#include "tests/partition/delays.h"
-#include "tests/partition/recorded_run.h"
-#include "tests/partition/watchdog.h"
+#include "libvehicle/partition/map/equation_map.h"
+#include "libvehicle/partition/schemes/blocked_rk4.h"
+#include "tests/support/delays.h"
 #include "tests/support/mass_graph.h"
+#include "tests/support/recorded_run.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "libvehicle/partition/team.h"
+#include "libvehicle/partition/team/team.h"
 
 #include <atomic>
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/partition/exchange.h"
-#include "libvehicle/partition/placement.h"
-#include "tests/partition/delays.h"
-#include "tests/partition/watchdog.h"
+#include "libvehicle/partition/team/exchange.h"
+#include "libvehicle/partition/team/placement.h"
+#include "tests/support/delays.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle {
 namespace {

@@ -1,4 +1,4 @@
-#include "libvehicle/partition/thread_usage.h"
+#include "libvehicle/partition/watch/thread_usage.h"
 
 #include <sched.h>
 
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/partition/placement.h"
-#include "libvehicle/partition/team.h"
-#include "tests/partition/affinity.h"
-#include "tests/partition/watchdog.h"
+#include "libvehicle/partition/team/placement.h"
+#include "libvehicle/partition/team/team.h"
+#include "tests/support/affinity.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle {
 namespace {

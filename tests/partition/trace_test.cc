@@ -1,4 +1,4 @@
-#include "libvehicle/partition/trace.h"
+#include "libvehicle/partition/watch/trace.h"
 
 #include <chrono>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/partition/exchange.h"
-#include "libvehicle/partition/team.h"
-#include "tests/partition/watchdog.h"
+#include "libvehicle/partition/team/exchange.h"
+#include "libvehicle/partition/team/team.h"
 #include "tests/support/tolerance.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle {
 namespace {

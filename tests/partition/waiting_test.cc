@@ -1,4 +1,4 @@
-#include "libvehicle/partition/waiting.h"
+#include "libvehicle/partition/team/waiting.h"
 
 #include <stdexcept>
 

@@ -7,13 +7,13 @@
 #include "libvehicle/definition/train.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/flat/flat_train.h"
-#include "libvehicle/partition/blocked_rk4.h"
+#include "libvehicle/partition/schemes/blocked_rk4.h"
 #include "libvehicle/simulate/flat_by_type.h"
-#include "tests/partition/delays.h"
-#include "tests/partition/recorded_run.h"
-#include "tests/partition/watchdog.h"
+#include "tests/support/delays.h"
+#include "tests/support/recorded_run.h"
 #include "tests/support/trains.h"
 #include "tests/support/vehicles.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/validation/validation.h"
-#include "tests/partition/affinity.h"
+#include "tests/support/affinity.h"
 #include "tests/support/vehicles.h"
 
 namespace vehicle {

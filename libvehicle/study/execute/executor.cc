@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "libvehicle/partition/placement.h"
+#include "libvehicle/partition/team/placement.h"
 #include "libvehicle/study/execute/work_pool.h"
 
 namespace vehicle {

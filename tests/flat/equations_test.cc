@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "libvehicle/flat/first_order.h"
 #include "libvehicle/flat/flat_form.h"
+#include "tests/support/eigenvalues.h"
 #include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
@@ -23,7 +23,7 @@ constexpr double kGravity = 9.81;  // [m/s^2]
 
 /// Of each conjugate pair the one with positive imaginary part, sorted by size.
 std::vector<std::complex<double>> eigenvaluesOf(const FlatForm& form) {
-  const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(form.linear().value().A).eigenvalues();
+  const Eigen::VectorXcd all = test::eigenvaluesOf(form.linear().value().A);
   std::vector<std::complex<double>> upper;
   for (const std::complex<double>& each : all) {
     if (each.imag() > 0.0) upper.push_back(each);

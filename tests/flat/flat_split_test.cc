@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "libvehicle/system/mixed_input.h"
+#include "tests/support/eigenvalues.h"
 #include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
@@ -57,7 +57,7 @@ TEST(FlatSplit, HalvesHaveTheRatesOfTheWholeAtRandomStates) {
 }
 
 std::vector<std::complex<double>> eigenvaluesAbove(const System& system) {
-  const Eigen::VectorXcd all = system.linear()->A.eigenvalues();
+  const Eigen::VectorXcd all = test::eigenvaluesOf(system.linear()->A);
   std::vector<std::complex<double>> above;
   for (const auto& value : all) {
     if (value.imag() > 0.0) above.push_back(value);

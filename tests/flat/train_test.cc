@@ -7,13 +7,13 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <Eigen/Eigenvalues>
 
 #include "libvehicle/definition/topology.h"
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/flat/flat_train.h"
 #include "libvehicle/statics/rest.h"
 #include "tests/support/allocations.h"
+#include "tests/support/eigenvalues.h"
 #include "tests/support/random_state.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/trains.h"
@@ -204,7 +204,7 @@ TEST(FlatTrain, MassTimesAccelerationMatrixIsSymmetric) {
 }
 
 std::vector<std::complex<double>> sortedEigenvalues(const Eigen::MatrixXd& A) {
-  const Eigen::VectorXcd values = A.eigenvalues();
+  const Eigen::VectorXcd values = test::eigenvaluesOf(A);
   std::vector<std::complex<double>> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
     return std::abs(a.imag() - b.imag()) > 1e-6 ? a.imag() < b.imag() : a.real() < b.real();
@@ -228,7 +228,7 @@ TEST(FlatTrain, OfTwoEqualVehiclesHasEvenAndOddModes) {
       A.block(4, 0, 2, 2) += kStiffness * push * end;
       A.block(4, 4, 2, 2) += kDamping * push * end;
     }
-    const Eigen::VectorXcd values = A.eigenvalues();
+    const Eigen::VectorXcd values = test::eigenvaluesOf(A);
     expected.insert(expected.end(), values.begin(), values.end());
   }
   std::sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) {

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "libvehicle/definition/topology.h"
 #include "libvehicle/matrix/matrix_form.h"
 #include "tests/matrix/published_vehicles.h"
+#include "tests/support/eigenvalues.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -29,7 +29,7 @@ std::vector<Vehicle> vehiclesWithoutHeights() {
 double asymmetryOf(const Eigen::MatrixXd& matrix) { return (matrix - matrix.transpose()).cwiseAbs().maxCoeff(); }
 
 double smallestEigenvalue(const Eigen::MatrixXd& matrix) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().minCoeff();
+  return test::symmetricEigenvaluesOf(matrix).minCoeff();
 }
 
 TEST(Matrices, AreSymmetricAndDefiniteOnTheRail) {
@@ -172,8 +172,7 @@ TEST(PublishedVehicles, HaveTheUndampedFrequenciesOfTheIndependentForm) {
   for (const PublishedVehicle& published : publishedVehicles()) {
     const auto form = buildMatrixForm(vehicleOf(published), kGravity);
     const SecondOrder& matrices = form->matrices();
-    const Eigen::VectorXd squares =
-        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(matrices.K, matrices.M).eigenvalues();
+    const Eigen::VectorXd squares = test::squaredFrequenciesOf(matrices.K, matrices.M);
     for (std::size_t i = 0; i < 6; ++i) {
       const double hz = std::sqrt(squares[static_cast<Eigen::Index>(i)]) / (2 * std::numbers::pi);
       EXPECT_WITHIN(hz, published.undamped_hz[i], 0.5e-4) << published.name;
@@ -184,7 +183,7 @@ TEST(PublishedVehicles, HaveTheUndampedFrequenciesOfTheIndependentForm) {
 TEST(PublishedVehicles, HaveTheDampedFrequenciesOfTheIndependentForm) {
   for (const PublishedVehicle& published : publishedVehicles()) {
     const StateSpace matrices = buildMatrixForm(vehicleOf(published), kGravity)->linear().value();
-    const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(matrices.A).eigenvalues();
+    const Eigen::VectorXcd all = test::eigenvaluesOf(matrices.A);
     std::vector<std::complex<double>> upper;
     std::copy_if(all.begin(), all.end(), std::back_inserter(upper), [](const auto& each) { return each.imag() > 0.0; });
     std::sort(upper.begin(), upper.end(), [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); });

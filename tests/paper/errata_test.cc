@@ -8,13 +8,13 @@
 #include <random>
 #include <sstream>
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "libvehicle/flat/first_order.h"
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/linear/modes.h"
 #include "libvehicle/simulate/simulate.h"
+#include "tests/support/eigenvalues.h"
 #include "tests/support/vehicles.h"
 
 namespace vehicle::test {
@@ -176,7 +176,7 @@ TEST(Errata, TwiceTheRailGivesTwiceTheAnswer) {
 double growth(double dampers) {
   Vehicle vehicle = paperVehicle();
   for (Element& each : vehicle.elements) each.damping_z *= dampers;
-  return Eigen::EigenSolver<Eigen::MatrixXd>(matricesOf("flat-literal", vehicle).A, false).eigenvalues().real().maxCoeff();
+  return test::eigenvaluesOf(matricesOf("flat-literal", vehicle).A).real().maxCoeff();
 }
 
 TEST(Errata, LiteralEquationsLoseTheirStabilityAsPrinted) {

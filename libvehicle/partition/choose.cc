@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/partition/map/equation_graph.h"
 #include "libvehicle/partition/map/equation_map.h"
 #include "libvehicle/partition/team/exchange.h"
+#include "libvehicle/partition/trial.h"
 
 namespace vehicle {
 namespace {
@@ -31,58 +32,6 @@ std::string milliseconds(double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g ms", 1e3 * seconds);
   return text;
-}
-
-/// The first `steps` steps of a run as a run of its own.
-struct Trial {
-  Input input;
-  Schedule schedule;
-  long steps;
-};
-
-Input beginningOf(const Input& input, double end) {
-  std::vector<InputSegment> segments;
-  for (int index = 0; index < input.segments() && input.segment(index).begin < end; ++index) {
-    segments.push_back(input.segment(index));
-  }
-  segments.back().end = std::min(segments.back().end, end);
-  return Input(input.channels(), std::move(segments));
-}
-
-Trial trialOf(const WayProblem& problem, long steps) {
-  const double begin = problem.input.begin();
-  const double h = (problem.input.end() - begin) / static_cast<double>(problem.steps);
-  steps = std::clamp(steps, std::min(8l, problem.steps), problem.steps);
-  double output_step = problem.schedule.outputStep();
-  double length = h * static_cast<double>(steps);
-  if (problem.a_step_a_sample) {
-    steps = std::clamp(std::lround(length / output_step), std::min(8l, problem.steps), problem.steps);
-    length = static_cast<double>(steps) * output_step;
-  } else {
-    output_step = std::min(output_step, length / static_cast<double>(std::min(64l, steps)));
-  }
-  Input input = beginningOf(problem.input, begin + std::min(length, problem.input.end() - begin));
-  Schedule schedule(input, output_step);
-  return {std::move(input), std::move(schedule), steps};
-}
-
-/// [s] a step by that way, without the start of its threads.
-/// @param limit  [s] a way that has not come to the end by then is broken off: it is told by what it has done
-double timeOf(const Way& way, const Trial& trial, double limit) {
-  const int samples = trial.schedule.samples();
-  const int first = samples / 4;  // caches are warm and all threads have come
-  Clock::time_point begin;
-  double took = 0.0;
-  int last = first;
-  way.run(trial.input, trial.schedule, [&](int sample, int, double, std::span<const double>) {
-    if (sample < first || took > limit) return took <= limit;
-    if (sample == first) begin = Clock::now();
-    took = since(begin);
-    last = sample;
-    return took <= limit;
-  });
-  const double steps = static_cast<double>(trial.steps) * (last - first) / std::max(1, samples - 1);
-  return took / std::max(1.0, steps);
 }
 
 /// [s] of the input of one step, swept in blocks.
@@ -188,95 +137,141 @@ std::vector<int> threadCounts(int most) {
   return counts;
 }
 
-Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways) {
-  const Clock::time_point begin = Clock::now();
-  const Way& first = ways.front();
-  Decision made{.scheme = first.scheme, .threads = first.threads};
-  for (const Way& way : ways) made.candidates.push_back({way.scheme, way.threads});
-  const auto settle = [&](std::string reason) {
-    made.calibration = since(begin);
-    made.reason = std::move(reason);
-    return made;
-  };
-  if (ways.size() == 1) return settle(nameOf(first) + ": there is no other way");
+namespace {
 
-  const double steps = static_cast<double>(problem.steps);
-  std::size_t harmonics = 0;
-  for (int index = 0; index < problem.input.segments(); ++index) {
-    harmonics = std::max(harmonics, problem.input.segment(index).angular_frequency.size());
-  }
-  const double guess = steps * (0.5 * problem.system.size() * kTypicalEquation +
-                                static_cast<double>(harmonics) * problem.input.channels() * kTypicalHarmonic);
-  if (guess * kMostShare < kLeastUseful) {
-    return settle(nameOf(first) + ": a run of about " + milliseconds(guess) + " is too short to try others");
-  }
-  const auto stepsIn = [&](double seconds, double step) { return static_cast<long>(seconds / step); };
-  const Trial probe = trialOf(problem, stepsIn(0.5e-3, guess / steps));
-  const auto probed = [&] { return timeOf(first, probe, kMostSpent); };
-  made.step = probed();
-  made.step = std::min(made.step, probed());
-  made.candidates.front().measured = made.candidates.front().predicted = made.step;
-  const double budget = std::min(kMostSpent, kMostShare * made.step * steps);
-  if (budget < kLeastUseful) {
-    return settle(nameOf(first) + ": a run of about " + milliseconds(made.step * steps) +
-                  " is too short to try others");
-  }
-  made.input = std::min(inputTime(problem), made.step);
-  made.equation = (made.step - made.input) / std::max(1.0, 0.5 * problem.system.size());
-
-  int most = 1;
-  for (const Way& way : ways) most = std::max(most, way.threads);
-  made.exchange.assign(static_cast<std::size_t>(std::max(0, most - 1)), 1.0);  // not measured: never worth it
-  for (int threads = 2; threads <= most && since(begin) < 0.5 * budget; ++threads) {
-    const bool asked = std::any_of(ways.begin(), ways.end(), [&](const Way& way) { return way.threads == threads; });
-    if (asked) made.exchange[static_cast<std::size_t>(threads - 2)] = exchangeTime(problem.team, threads);
+/// The steps to a Decision; each may be the last.
+class Choosing {
+ public:
+  Choosing(const WayProblem& problem, const std::vector<Way>& ways)
+      : problem_(problem), ways_(ways), first_(ways.front()), steps_(static_cast<double>(problem.steps)) {
+    made_.scheme = first_.scheme;
+    made_.threads = first_.threads;
+    for (const Way& way : ways) made_.candidates.push_back({way.scheme, way.threads});
   }
 
-  std::vector<std::size_t> order;
-  for (std::size_t i = 1; i < ways.size(); ++i) {
-    made.candidates[i].predicted = predicted(problem, ways[i], made);
-    if (made.candidates[i].predicted < kWins * made.step) order.push_back(i);
+  Decision made() {
+    made_.reason = reason();
+    made_.calibration = since(begin_);
+    return std::move(made_);
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return made.candidates[a].predicted < made.candidates[b].predicted;
-  });
-  order.resize(std::min(order.size(), kMostTried));
-  if (order.empty()) return settle(nameOf(first) + ": no other way can be faster, exchanges included");
 
-  // What is left, in equal parts: each way once, the fastest of them again, and the first way before and after.
-  const double left = std::max(0.25 * budget, budget - since(begin));
-  const double part = left / static_cast<double>(order.size() + std::min(order.size(), kTriedTwice) + 2);
-  const Trial trial = trialOf(problem, stepsIn(part, made.step));
-  const double before = timeOf(first, trial, 4.0 * part);
-  const auto measured = [&](std::size_t i) { return made.candidates[i].measured; };
-  // Slower than the first way took: it has lost.
-  const auto tried = [&](std::size_t i) { return timeOf(ways[i], trial, part); };
-  for (const std::size_t i : order) made.candidates[i].measured = tried(i);
-  const auto faster = [&](std::size_t a, std::size_t b) { return measured(a) < measured(b); };
-  std::stable_sort(order.begin(), order.end(), faster);
-  for (std::size_t k = 0; k < std::min(order.size(), kTriedTwice); ++k) {
-    const std::size_t i = order[k];
-    if (since(begin) > budget) break;  // threads that are slow to start
-    made.candidates[i].measured = std::min(measured(i), tried(i));
+ private:
+  std::string reason() {
+    if (ways_.size() == 1) return nameOf(first_) + ": there is no other way";
+    const double guess = guessedRun();
+    if (guess * kMostShare < kLeastUseful) return tooShort(guess);
+    timeFirst(guess);
+    budget_ = std::min(kMostSpent, kMostShare * made_.step * steps_);
+    if (budget_ < kLeastUseful) return tooShort(made_.step * steps_);
+    timeParts();
+    std::vector<std::size_t> promising = mostPromising();
+    if (promising.empty()) return nameOf(first_) + ": no other way can be faster, exchanges included";
+    return tryOut(std::move(promising));
   }
-  const std::size_t best = *std::min_element(order.begin(), order.end(), faster);
-  const double after = timeOf(first, trial, 4.0 * part);
-  if (std::max(before, after) > kRepeats * std::min(before, after)) {
-    return settle(nameOf(first) + ": two timings of it differ by " +
-                  std::to_string(static_cast<int>(100.0 * (std::max(before, after) / std::min(before, after) - 1.0))) +
-                  " %, something else is using the machine");
+
+  std::string tooShort(double run) const {
+    return nameOf(first_) + ": a run of about " + milliseconds(run) + " is too short to try others";
   }
-  made.step = std::min(before, after);
-  made.candidates.front().measured = made.step;
-  const double gain = made.step / made.candidates[best].measured;
-  char text[96];
-  std::snprintf(text, sizeof text, "%.2f times as fast as %s", gain, nameOf(first).c_str());
-  if (!(made.candidates[best].measured > 0.0 && made.candidates[best].measured < kWins * made.step)) {
-    return settle(nameOf(first) + ": the best other, " + nameOf(ways[best]) + ", is " + text);
+
+  /// [s] of the whole run before anything is measured.
+  [[nodiscard]] double guessedRun() const {
+    std::size_t harmonics = 0;
+    for (int index = 0; index < problem_.input.segments(); ++index) {
+      harmonics = std::max(harmonics, problem_.input.segment(index).angular_frequency.size());
+    }
+    return steps_ * (0.5 * problem_.system.size() * kTypicalEquation +
+                     static_cast<double>(harmonics) * problem_.input.channels() * kTypicalHarmonic);
   }
-  made.scheme = ways[best].scheme;
-  made.threads = ways[best].threads;
-  return settle(nameOf(ways[best]) + ": " + text);
-}
+
+  void timeFirst(double guess) {
+    const Trial probe = trialOf(problem_, stepsIn(0.5e-3, guess / steps_));
+    const auto probed = [&] { return timeOf(first_, probe, kMostSpent); };
+    made_.step = probed();
+    made_.step = std::min(made_.step, probed());
+    made_.candidates.front().measured = made_.candidates.front().predicted = made_.step;
+  }
+
+  /// The input, an equation, the exchanges between as many threads as any way has.
+  void timeParts() {
+    made_.input = std::min(inputTime(problem_), made_.step);
+    made_.equation = (made_.step - made_.input) / std::max(1.0, 0.5 * problem_.system.size());
+    int most = 1;
+    for (const Way& way : ways_) most = std::max(most, way.threads);
+    made_.exchange.assign(static_cast<std::size_t>(most - 1), 1.0);  // not measured: never worth it
+    for (int threads = 2; threads <= most && since(begin_) < 0.5 * budget_; ++threads) {
+      const bool asked =
+          std::any_of(ways_.begin(), ways_.end(), [&](const Way& way) { return way.threads == threads; });
+      if (asked) made_.exchange[static_cast<std::size_t>(threads - 2)] = exchangeTime(problem_.team, threads);
+    }
+  }
+
+  /// Indices of the ways that may win, the most promising first.
+  std::vector<std::size_t> mostPromising() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 1; i < ways_.size(); ++i) {
+      made_.candidates[i].predicted = predicted(problem_, ways_[i], made_);
+      if (made_.candidates[i].predicted < kWins * made_.step) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return made_.candidates[a].predicted < made_.candidates[b].predicted;
+    });
+    order.resize(std::min(order.size(), kMostTried));
+    return order;
+  }
+
+  /// What is left, in equal parts: each way once, the fastest of them again, and the first way before and after.
+  std::string tryOut(std::vector<std::size_t> order) {
+    const double left = std::max(0.25 * budget_, budget_ - since(begin_));
+    const double part = left / static_cast<double>(order.size() + std::min(order.size(), kTriedTwice) + 2);
+    const Trial trial = trialOf(problem_, stepsIn(part, made_.step));
+    const double before = timeOf(first_, trial, 4.0 * part);
+    // A way slower than the first one took is broken off there: it has lost.
+    const auto tried = [&](std::size_t i) { return timeOf(ways_[i], trial, part); };
+    const auto measured = [&](std::size_t i) -> double& { return made_.candidates[i].measured; };
+    const auto faster = [&](std::size_t a, std::size_t b) { return measured(a) < measured(b); };
+    for (const std::size_t i : order) measured(i) = tried(i);
+    std::stable_sort(order.begin(), order.end(), faster);
+    for (std::size_t k = 0; k < std::min(order.size(), kTriedTwice); ++k) {
+      if (since(begin_) > budget_) break;  // threads that are slow to start
+      measured(order[k]) = std::min(measured(order[k]), tried(order[k]));
+    }
+    const double after = timeOf(first_, trial, 4.0 * part);
+    return judge(*std::min_element(order.begin(), order.end(), faster), before, after);
+  }
+
+  /// @param before, after  [s] a step of the first way, before the best other was tried and after
+  std::string judge(std::size_t best, double before, double after) {
+    if (std::max(before, after) > kRepeats * std::min(before, after)) {
+      const double apart = std::max(before, after) / std::min(before, after) - 1.0;
+      return nameOf(first_) + ": two timings of it differ by " + std::to_string(static_cast<int>(100.0 * apart)) +
+             " %, something else is using the machine";
+    }
+    made_.step = std::min(before, after);
+    made_.candidates.front().measured = made_.step;
+    const double other = made_.candidates[best].measured;
+    char text[96];
+    std::snprintf(text, sizeof text, "%.2f times as fast as %s", made_.step / other, nameOf(first_).c_str());
+    if (!(other > 0.0 && other < kWins * made_.step)) {
+      return nameOf(first_) + ": the best other, " + nameOf(ways_[best]) + ", is " + text;
+    }
+    made_.scheme = ways_[best].scheme;
+    made_.threads = ways_[best].threads;
+    return nameOf(ways_[best]) + ": " + text;
+  }
+
+  static long stepsIn(double seconds, double step) { return static_cast<long>(seconds / step); }
+
+  const WayProblem& problem_;
+  const std::vector<Way>& ways_;
+  const Way& first_;
+  double steps_;
+  Clock::time_point begin_ = Clock::now();
+  double budget_ = 0.0;  // [s] for all of it
+  Decision made_;
+};
+
+}  // namespace
+
+Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways) { return Choosing(problem, ways).made(); }
 
 }  // namespace vehicle

@@ -1,0 +1,57 @@
+#include "libvehicle/partition/trial.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace vehicle {
+namespace {
+
+Input beginningOf(const Input& input, double end) {
+  std::vector<InputSegment> segments;
+  for (int index = 0; index < input.segments() && input.segment(index).begin < end; ++index) {
+    segments.push_back(input.segment(index));
+  }
+  segments.back().end = std::min(segments.back().end, end);
+  return Input(input.channels(), std::move(segments));
+}
+
+}  // namespace
+
+Trial trialOf(const WayProblem& problem, long steps) {
+  const double begin = problem.input.begin();
+  const double h = (problem.input.end() - begin) / static_cast<double>(problem.steps);
+  steps = std::clamp(steps, std::min(8l, problem.steps), problem.steps);
+  double output_step = problem.schedule.outputStep();
+  double length = h * static_cast<double>(steps);
+  if (problem.a_step_a_sample) {
+    steps = std::clamp(std::lround(length / output_step), std::min(8l, problem.steps), problem.steps);
+    length = static_cast<double>(steps) * output_step;
+  } else {
+    output_step = std::min(output_step, length / static_cast<double>(std::min(64l, steps)));
+  }
+  Input input = beginningOf(problem.input, begin + std::min(length, problem.input.end() - begin));
+  Schedule schedule(input, output_step);
+  return {std::move(input), std::move(schedule), steps};
+}
+
+double timeOf(const Way& way, const Trial& trial, double limit) {
+  using Clock = std::chrono::steady_clock;
+  const int samples = trial.schedule.samples();
+  const int first = samples / 4;  // caches are warm and all threads have come
+  Clock::time_point begin;
+  double took = 0.0;
+  int last = first;
+  way.run(trial.input, trial.schedule, [&](int sample, int, double, std::span<const double>) {
+    if (sample < first || took > limit) return took <= limit;
+    if (sample == first) begin = Clock::now();
+    took = std::chrono::duration<double>(Clock::now() - begin).count();
+    last = sample;
+    return took <= limit;
+  });
+  const double steps = static_cast<double>(trial.steps) * (last - first) / std::max(1, samples - 1);
+  return took / std::max(1.0, steps);
+}
+
+}  // namespace vehicle

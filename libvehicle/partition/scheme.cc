@@ -26,6 +26,10 @@ const char* nameOf(Scheme scheme) { return schemeNames()[static_cast<std::size_t
 
 Scheme schemeOf(const std::string& name) { return static_cast<Scheme>(numberOf("scheme", name, schemeNames())); }
 
+bool sharesEquations(Scheme scheme) {
+  return scheme == Scheme::kStages || scheme == Scheme::kHalo || scheme == Scheme::kRows;
+}
+
 const std::vector<std::string>& equationMapNames() {
   static const std::vector<std::string> names = {"paper", "body", "auto"};
   return names;

@@ -20,6 +20,9 @@ enum class Scheme {
 /// @throws std::invalid_argument for a name that does not exist
 [[nodiscard]] Scheme schemeOf(const std::string& name);
 
+/// Whether its threads have equations of their own, so that a map matters.
+[[nodiscard]] bool sharesEquations(Scheme scheme);
+
 /// Who computes which equation.
 enum class EquationMap {
   kPaper,  // "paper"  the source paper's four threads: (5) | (2) and the rail (6) | (3) | (4)

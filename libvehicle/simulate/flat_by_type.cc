@@ -35,7 +35,8 @@ Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& 
                       std::span<const double> x0, const Observer& observe) {
   if (form.rhs() == nullptr) return runRk4(form, input, schedule, step, x0, observe);
   checkStart("rk4", x0, form.size());
-  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x, const Observer& show) {
+  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x,
+                                                       const Observer& show) {
     Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
     return runFixedStep(stepper, u, schedule, step, x, show);
   });
@@ -45,7 +46,8 @@ PipelineRun runFlatPipeline(const FlatForm& form, const Input& input, const Sche
                             std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
   if (form.rhs() == nullptr) return runPipeline(form, input, schedule, step, x0, observe, team);
   checkStart("rk4", x0, form.size());
-  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x, const Observer& show) {
+  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x,
+                                                       const Observer& show) {
     Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
     return runPipelined(stepper, u.channels(), sweepRows(u), schedule, step, x, show, team);
   });
@@ -62,7 +64,8 @@ Statistics runFlatDopri5(const FlatForm& form, const Input& input, const Schedul
                          std::span<const double> x0, const Observer& observe) {
   if (form.rhs() == nullptr) return runDopri5(form, input, schedule, accuracy, x0, observe);
   checkStart("dopri5", x0, form.size());
-  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x, const Observer& show) {
+  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x,
+                                                       const Observer& show) {
     Dopri5<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
     return runAdaptive(stepper, u, schedule, accuracy, x, show);
   });

@@ -32,7 +32,8 @@ std::string methodMisfit(const std::string& method, const std::string& form) {
     return simbody ? "" : fmt::format("simbody_rkm integrates Simbody forms; {} is not one", form);
   }
   if (isSplitMethod(method)) {
-    return form == "flat" ? "" : fmt::format("{} runs the flat form's bounce and pitch apart; {} has none", method, form);
+    return form == "flat" ? ""
+                          : fmt::format("{} runs the flat form's bounce and pitch apart; {} has none", method, form);
   }
   throw std::invalid_argument(unknownName("method", method, methodNames()));
 }

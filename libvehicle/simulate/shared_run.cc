@@ -107,6 +107,7 @@ class Sharing {
     std::vector<Scheme> fit;
     for (const Scheme scheme : schemesOf(method_)) {
       if (scheme == Scheme::kSerial || !fits(scheme, threads)) continue;
+      if (request_.map != EquationMap::kAuto && !sharesEquations(scheme)) continue;  // who names a map wants it used
       fit.push_back(scheme);
     }
     // Threads with many equations each are worth an exchange a step; with few, only the rail can be shared.
@@ -121,7 +122,7 @@ class Sharing {
 
   /// Whether the system has equations to share, as many as threads, and the map knows so many threads.
   [[nodiscard]] bool fits(Scheme scheme, int threads) const {
-    if (scheme != Scheme::kStages && scheme != Scheme::kHalo && scheme != Scheme::kRows) return true;
+    if (!sharesEquations(scheme)) return true;
     const EquationSet* set = system_.equations();
     if (set == nullptr || static_cast<int>(set->equations().size()) < threads) return false;
     if (scheme == Scheme::kRows || request_.map == EquationMap::kAuto) return true;
@@ -134,7 +135,8 @@ class Sharing {
   }
 
   [[nodiscard]] Way way(Scheme scheme, int threads) const {
-    return {scheme, threads, [this, scheme, threads](const Input& input, const Schedule& schedule, const Observer& show) {
+    return {scheme, threads,
+            [this, scheme, threads](const Input& input, const Schedule& schedule, const Observer& show) {
               Sharing untraced(*this);
               untraced.request_.team.tracer = nullptr;
               (void)untraced.run(scheme, threads, input, schedule, show);

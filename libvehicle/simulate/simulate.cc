@@ -79,7 +79,8 @@ class Recorder {
 
 }  // namespace
 
-RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice, const Progress& progress) {
+RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
+                   const Progress& progress) {
   checkChoice(choice);
   checkDefinition(vehicle, scenario);
 
@@ -93,6 +94,9 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   }
   if (const std::string misfit = threadsMisfit(result.form, result.method, choice.threads, choice.scheme);
       !misfit.empty()) {
+    throw std::invalid_argument(misfit);
+  }
+  if (const std::string misfit = mapMisfit(choice.scheme, choice.map); !misfit.empty()) {
     throw std::invalid_argument(misfit);
   }
 

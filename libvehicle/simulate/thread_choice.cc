@@ -66,4 +66,12 @@ std::string threadsMisfit(const std::string& form, const std::string& method, in
   return {};
 }
 
+std::string mapMisfit(const std::string& scheme, const std::string& map) {
+  if (map == nameOf(EquationMap::kAuto) || scheme.empty() || sharesEquations(schemeOf(scheme))) return {};
+  return fmt::format(
+      "map {} with scheme {}, whose threads have no equations of their own; leave the map away, or take scheme stages, "
+      "halo or rows",
+      map, scheme);
+}
+
 }  // namespace vehicle

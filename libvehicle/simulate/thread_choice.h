@@ -22,4 +22,8 @@ inline constexpr int kMostThreads = 256;
 [[nodiscard]] std::string threadsMisfit(const std::string& form, const std::string& method, int threads,
                                         const std::string& scheme);
 
+/// Why that map says nothing to that scheme, with the remedy; empty if it does, or if either is left open.
+/// @param scheme  schemeNames(), or empty   @param map  equationMapNames()
+[[nodiscard]] std::string mapMisfit(const std::string& scheme, const std::string& map);
+
 }  // namespace vehicle

@@ -165,6 +165,9 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
   EXPECT_EQ(refusal("flat", "rk4", 2, "rows"),
             "scheme rows does not share the work of rk4; take serial | stages | halo | pipeline");
   EXPECT_EQ(refusal("flat", "rk4", 2, "stage"), "scheme \"stage\" is unknown; did you mean \"stages\"?");
+  EXPECT_EQ(refusal("flat", "rk4", 2, "pipeline", "body"),
+            "map body with scheme pipeline, whose threads have no equations of their own; leave the map away, or take "
+            "scheme stages, halo or rows");
   EXPECT_EQ(refusal("flat", "rk4", 2, "stages", "papr"), "map \"papr\" is unknown; did you mean \"paper\"?");
   const std::string many = refusal("flat", "rk4", 5, "stages");
   EXPECT_NE(many.find("5"), std::string::npos) << many;
@@ -184,6 +187,17 @@ std::string workOf(const char* method, const char* scheme, int threads, const ch
     all += (all.empty() ? "" : " | ") + std::to_string(work.equations) + ": " + work.what;
   }
   return all;
+}
+
+TEST(Sharing, AMapWithoutASchemeTakesASchemeThatUsesIt) {
+  RunChoice choice;
+  choice.threads = 2;
+  const auto schemeFor = [&](const char* map) {
+    choice.map = map;
+    return run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", "rk4", choice).scheme;
+  };
+  EXPECT_EQ(schemeFor("auto"), "pipeline");
+  EXPECT_NE(schemeFor("body"), "pipeline");
 }
 
 TEST(Sharing, SaysWhichThreadComputesWhichEquations) {

@@ -7,6 +7,7 @@
 #include "libvehicle/partition/schemes/blocked_rk4.h"
 #include "libvehicle/partition/schemes/own_state.h"
 #include "libvehicle/partition/schemes/sample_ring.h"
+#include "libvehicle/partition/schemes/shown_piece.h"
 #include "libvehicle/partition/team/exchange.h"
 
 namespace vehicle {
@@ -17,16 +18,10 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 // What each thread shows and what it takes from whom; made once, before the team starts.
 class HaloPlan {
  public:
-  // Equations `first ..` of `count`, neighbours in the owner's slot as in the reader's state.
-  struct Piece {
-    int slot = 0;   // of the owner's slot [doubles]
-    int first = 0;  // equation
-    int count = 0;
-  };
   struct Source {
     int owner = 0;
     int block = 0;  // of the reader's step: the first that reads it
-    std::vector<Piece> pieces;
+    std::vector<ShownPiece> pieces;
   };
   struct Part {
     EquationRun target;
@@ -69,7 +64,7 @@ class HaloPlan {
         if (other == thread || !(reads[at(thread)][at(other)] || reads[at(other)][at(thread)])) continue;
         Source source{.owner = other, .block = 0, .pieces = {}};
         for (int e = held[at(thread)].first; e < held[at(thread)].last; ++e) {
-          if (owner[at(e)] == other) add(source.pieces, place[at(e)], e);
+          if (owner[at(e)] == other) addShown(source.pieces, place[at(e)], e);
         }
         parts_[at(thread)].sources.push_back(std::move(source));
       }
@@ -80,17 +75,6 @@ class HaloPlan {
   [[nodiscard]] const std::vector<int>& values() const { return values_; }
 
  private:
-  static void add(std::vector<Piece>& pieces, int place, int e) {
-    if (!pieces.empty()) {
-      Piece& last = pieces.back();
-      if (last.first + last.count == e && last.slot + 2 * last.count == place) {
-        ++last.count;
-        return;
-      }
-    }
-    pieces.push_back({place, e, 1});
-  }
-
   std::vector<Part> parts_;
   std::vector<int> values_;
 };
@@ -105,7 +89,7 @@ class HaloMember {
     // The order in which the blocks of a step want them.
     for (const HaloPlan::Source& source : part_.sources) {
       int block = rk4_.blocks();
-      for (const HaloPlan::Piece& piece : source.pieces) block = std::min(block, rk4_.firstBlockReading(piece.first));
+      for (const ShownPiece& piece : source.pieces) block = std::min(block, rk4_.firstBlockReading(piece.first));
       sources_.push_back(source);
       sources_.back().block = std::min(block, rk4_.blocks() - 1);
     }
@@ -133,7 +117,7 @@ class HaloMember {
  private:
   void take(const HaloPlan::Source& source) {
     const double* shown = exchange_.await(me_, source.owner, epoch_);
-    for (const HaloPlan::Piece& piece : source.pieces) {
+    for (const ShownPiece& piece : source.pieces) {
       std::copy_n(shown + piece.slot, 2 * piece.count, rk4_.x(piece.first));
     }
   }

@@ -40,7 +40,7 @@ class TypedStageMember {
       }
       for (const StagePlan::Source& source : part_.sources) {
         const double* shown = exchange_.slot(source.owner, static_cast<long>(parity));
-        for (const StagePlan::Piece& piece : source.pieces) {
+        for (const ShownPiece& piece : source.pieces) {
           for (int i = 0; i < piece.count; ++i) {
             from_[parity][static_cast<std::size_t>(piece.first + i)] = shown + piece.slot + 2 * i;
           }

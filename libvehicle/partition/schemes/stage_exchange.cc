@@ -82,7 +82,7 @@ class StageMember {
   void take(std::vector<double>& values) {
     for (const StagePlan::Source& source : part_.sources) {
       const double* shown = exchange_.await(me_, source.owner, epoch_);
-      for (const StagePlan::Piece& piece : source.pieces) {
+      for (const ShownPiece& piece : source.pieces) {
         double* to = &values[place(piece.first)];
         for (int i = 0; i < 2 * piece.count; ++i) to[i] = shown[piece.slot + i];
       }

@@ -24,14 +24,7 @@ void take(StagePlan::Part& part, int owner, int place, int e) {
     part.sources.push_back({owner, {}});
     source = part.sources.end() - 1;
   }
-  if (!source->pieces.empty()) {
-    StagePlan::Piece& last = source->pieces.back();
-    if (last.first + last.count == e && last.slot + 2 * last.count == place) {
-      ++last.count;
-      return;
-    }
-  }
-  source->pieces.push_back({place, e, 1});
+  addShown(source->pieces, place, e);
 }
 
 }  // namespace

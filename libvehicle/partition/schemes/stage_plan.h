@@ -3,21 +3,16 @@
 #include <vector>
 
 #include "libvehicle/partition/map/equation_graph.h"
+#include "libvehicle/partition/schemes/shown_piece.h"
 
 namespace vehicle {
 
 /// Who shows what to whom at every stage. A thread shows the equations that are neighbours of another's, in ascending
 /// order.
 struct StagePlan {
-  /// Equations first .. first+count-1, neighbours in the owner's slot as in the reader's state.
-  struct Piece {
-    int slot = 0;   // of the owner's slot [doubles]
-    int first = 0;  // equation
-    int count = 0;
-  };
   struct Source {
     int owner = 0;
-    std::vector<Piece> pieces;
+    std::vector<ShownPiece> pieces;
   };
   struct Part {
     std::vector<int> share;           // own equations, ascending

@@ -39,6 +39,7 @@ Profile profileOf(const Model& model, const RunChoice& choice, int every, const 
   RunChoice serial = choice;
   serial.threads = 1;
   serial.scheme = "serial";
+  serial.map = "auto";
   RunChoice plain = choice;
   Tracer tracer(every);  // one for all rounds: after the first its memory is at hand
   const auto begin = std::chrono::steady_clock::now();
@@ -60,6 +61,7 @@ Profile profileOf(const Model& model, const RunChoice& choice, int every, const 
     // Where the choice was left open, the traced run and the runs after it take what was found first.
     plain.threads = shared.threads;
     plain.scheme = shared.scheme;
+    if (shared.threads == 1) plain.map = "auto";  // nobody is left to share the equations that it names
     RunChoice watched = plain;
     watched.team.tracer = &tracer;
     const Decision decision = round == 0 ? shared.decision : profile.run.decision;

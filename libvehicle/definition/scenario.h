@@ -143,5 +143,8 @@ struct Scenario {
 [[nodiscard]] ProblemList check(const Scenario& scenario);
 /// Names in the scenario that the vehicle does not have (rig inputs, initial state).
 [[nodiscard]] ProblemList check(const Scenario& scenario, const struct Vehicle& vehicle);
+/// All of it before a run: the vehicle, the scenario, and where each is right the two together.
+/// @throws InvalidInput  all problems that were found
+void requireRight(const struct Vehicle& vehicle, const Scenario& scenario);
 
 }  // namespace vehicle

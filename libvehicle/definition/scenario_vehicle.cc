@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libvehicle/definition/judge.h"
@@ -85,6 +86,13 @@ ProblemList check(const Scenario& scenario, const Vehicle& vehicle) {
   }
   problems.sortByPlace();
   return problems;
+}
+
+void requireRight(const Vehicle& vehicle, const Scenario& scenario) {
+  ProblemList problems = check(vehicle);
+  problems.append(check(scenario));
+  if (problems.empty()) problems.append(check(scenario, vehicle));
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
 }
 
 }  // namespace vehicle

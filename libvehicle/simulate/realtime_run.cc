@@ -25,13 +25,6 @@ namespace {
 constexpr double kAhead = 50e-3;   // [s] by which the rail is played ahead of the clock, at most
 constexpr double kBetween = 2e-3;  // [s] from one look of the feeding thread to the next
 
-void checkDefinition(const Vehicle& vehicle, const Scenario& scenario) {
-  ProblemList problems = check(vehicle);
-  problems.append(check(scenario));
-  if (problems.empty()) problems.append(check(scenario, vehicle));
-  if (!problems.empty()) throw InvalidInput(std::move(problems));
-}
-
 /// The rail at begin, middle and end of one step after the other: (3 x 2 w), one row after the other.
 class Rail {
  public:
@@ -132,7 +125,7 @@ long stepsIn(const Input& input, double period) {
 
 RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice, double period,
                              const Progress& progress) {
-  checkDefinition(vehicle, scenario);
+  requireRight(vehicle, scenario);
   if (!(period >= 1e-6 && period <= 3600.0)) {
     throw std::invalid_argument(fmt::format("realtime: period = {} s, must be between 1e-6 s and 3600 s", period));
   }

@@ -35,13 +35,6 @@ void checkChoice(const RunChoice& choice) {
   if (choice.refine < 1) throw std::invalid_argument(fmt::format("refine = {}, must be >= 1", choice.refine));
 }
 
-void checkDefinition(const Vehicle& vehicle, const Scenario& scenario) {
-  ProblemList problems = check(vehicle);
-  problems.append(check(scenario));
-  if (problems.empty()) problems.append(check(scenario, vehicle));
-  if (!problems.empty()) throw InvalidInput(std::move(problems));
-}
-
 // Fills the history sample by sample and watches over it.
 class Recorder {
  public:
@@ -82,7 +75,7 @@ class Recorder {
 RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
                    const Progress& progress) {
   checkChoice(choice);
-  checkDefinition(vehicle, scenario);
+  requireRight(vehicle, scenario);
 
   RunResult result;
   result.form = choice.form.empty() ? defaultForm(vehicle) : choice.form;

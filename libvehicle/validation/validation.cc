@@ -71,18 +71,15 @@ class Case {
   };
 
   /// What simulate() would refuse, told before anything is built of it.
-  void requireRight() const {
-    ProblemList problems = check(vehicle_);
-    problems.append(check(scenario_));
-    if (problems.empty()) problems.append(check(scenario_, vehicle_));
-    if (!problems.empty()) throw InvalidInput(std::move(problems));
+  void requireRunnable() const {
+    requireRight(vehicle_, scenario_);
     const double step = choice_.run.step;
     if (!(std::isfinite(step) && step > 0.0))
       throw std::invalid_argument(fmt::format("step = {} s, must be finite and > 0", step));
   }
 
   void plan() {
-    requireRight();
+    requireRunnable();
     add("matrix", "exact", 1, choice_.run.step);
     std::vector<std::string> forms = choice_.forms;
     if (forms.empty()) {

@@ -155,6 +155,15 @@ TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {
   EXPECT_TRUE(has(textOf(folder.path("t.svg")), "thread 4</text>"));
 }
 
+TEST(ProfileCommand, OfThreadsLeftOpenTakesAMapWhereverItEnds) {
+  const TestFolder folder;
+  const ProgramRun run = runVehicle({"profile", kVehicle, shortPaper(folder), "--threads", "auto", "--method", "rk4",
+                                     "--map", "paper", "--format", "json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string scheme = Json::parse(run.out)["facts"]["scheme"]["value"];
+  EXPECT_TRUE(scheme == "serial" || scheme == "stages" || scheme == "halo") << scheme;
+}
+
 TEST(ProfileCommand, TracesTheTwoThreadsOfASplitVehicle) {
   const TestFolder folder;
   const ProgramRun run = runVehicle(

@@ -1,3 +1,4 @@
+#include <ostream>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace {
 struct Named {
   std::string name;
   Vehicle vehicle;
+  // Without it the test's name would show the bytes of the struct, other ones in every run.
+  friend void PrintTo(const Named& named, std::ostream* out) { *out << named.name; }
 };
 
 Vehicle undampedPaperVehicle() {

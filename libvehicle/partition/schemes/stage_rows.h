@@ -46,11 +46,14 @@ class BlocksAhead {
   int done_ = 0;  // steps of it
 };
 
-/// A thread's own rows, of the channels that enter its equations.
+/// A thread's own rows, of the channels that enter its equations. Where none does, they are zeros of the input's width:
+/// a right-hand side of all equations still looks at them, though what it makes of them is not used.
 class AheadRows {
  public:
   AheadRows(const Input& input, ChannelRun channels, const Schedule& schedule, FixedStep step)
-      : input_(input), channels_(channels), row_{makeRow(channels), makeRow(channels), makeRow(channels)} {
+      : input_(input), channels_(channels) {
+    const int width = channels.size() > 0 ? channels.size() : input.channels();
+    for (Values& row : row_) row.resize(static_cast<std::size_t>(2 * width));
     if (channels_.size() == 0) return;
     ahead_.emplace(schedule, step);
     windNext();
@@ -85,7 +88,6 @@ class AheadRows {
 
  private:
   using Values = std::vector<double>;
-  static Values makeRow(ChannelRun channels) { return Values(static_cast<std::size_t>(2 * channels.size())); }
   void windNext() {
     if (const std::optional<StepBlock> block = ahead_->next()) block->wind(input_, next_);
     wound_ = true;

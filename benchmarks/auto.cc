@@ -23,6 +23,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmarks/built_by.h"
 #include "libvehicle/definition/topology.h"
 #include "libvehicle/definition/train.h"
 #include "libvehicle/excitation/excitation.h"
@@ -276,12 +277,11 @@ int main(int argc, char** argv) {
   const bool begun = std::ifstream(csv).good();
   std::ofstream out(csv, std::ios::app);  // a row a way, of as many calls as it takes
   if (!begun) {
-    out << "problem,way,threads,steps,ns_per_step,least_ns,spread_ns,state_hash,chosen,compiler,flags,commit\n";
+    out << "problem,way,threads,steps,ns_per_step,least_ns,spread_ns,state_hash,chosen," << kBuiltByColumns << '\n';
   }
   for (const Row& r : rows) {
-    out << fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:016x},{},g++ {},{},{}\n", r.problem, r.way, r.threads,
-                       r.steps, r.ns, r.least, r.spread, r.hash, r.chosen, __VERSION__, VEHICLE_FLAGS,
-                       VEHICLE_COMMIT);
+    out << fmt::format("{},{},{},{},{:.2f},{:.2f},{:.2f},{:016x},{},{}\n", r.problem, r.way, r.threads, r.steps, r.ns,
+                       r.least, r.spread, r.hash, r.chosen, builtBy());
   }
   return out ? 0 : 3;
 }

@@ -18,6 +18,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "benchmarks/built_by.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/paper_case.h"
 #include "libvehicle/ensemble/block_rows.h"
@@ -329,10 +330,10 @@ void steady(std::vector<std::string>& claims) {
 
 void write(const std::string& folder) {
   std::ofstream file(folder + "/bench_ensemble.csv");
-  file << "problem,solver,median_ns,stddev_ns,error,compiler,flags,commit,threads\n";
+  file << "problem,solver,median_ns,stddev_ns,error," << kBuiltByColumns << ",threads\n";
   for (const Row& row : rows) {
-    file << fmt::format("{},{},{:.5g},{:.2g},{:.3e},g++ {},{},{},{}\n", row.problem, row.solver, row.median,
-                        row.deviation, row.error, __VERSION__, VEHICLE_FLAGS, VEHICLE_COMMIT, row.threads);
+    file << fmt::format("{},{},{:.5g},{:.2g},{:.3e},{},{}\n", row.problem, row.solver, row.median, row.deviation,
+                        row.error, builtBy(), row.threads);
   }
 }
 

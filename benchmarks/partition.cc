@@ -23,6 +23,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmarks/built_by.h"
 #include "benchmarks/train_case.h"
 #include "libvehicle/flat/flat_model.h"
 #include "libvehicle/integrate/fixed_step_run.h"
@@ -388,10 +389,10 @@ int main(int argc, char** argv) {
   if (wanted.count("blocks") > 0) add(blocks());
   if (csv.empty()) return 0;
   std::ofstream out(csv);
-  out << "problem,design,threads,ns_per_step,spread_ns,state_hash,compiler,flags,commit\n";
+  out << "problem,design,threads,ns_per_step,spread_ns,state_hash," << kBuiltByColumns << '\n';
   for (const Figure& f : figures) {
-    out << fmt::format("{},{},{},{:.1f},{:.1f},{:016x},g++ {},{},{}\n", f.problem, f.design, f.threads, f.ns, f.spread,
-                       f.hash, __VERSION__, VEHICLE_FLAGS, VEHICLE_COMMIT);
+    out << fmt::format("{},{},{},{:.1f},{:.1f},{:016x},{}\n", f.problem, f.design, f.threads, f.ns, f.spread, f.hash,
+                       builtBy());
   }
   return out ? 0 : 3;
 }

@@ -16,6 +16,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "benchmarks/built_by.h"
 #include "benchmarks/measure.h"
 
 namespace {
@@ -90,10 +91,10 @@ class RatioReporter : public benchmark::ConsoleReporter {
 
   void write(const std::string& folder, const std::string& program) const {
     std::ofstream file(folder + "/" + program + ".csv");
-    file << "problem,solver,median_ns,stddev_ns,error,compiler,flags,commit,threads\n";
+    file << "problem,solver,median_ns,stddev_ns,error," << vehicle::bench::kBuiltByColumns << ",threads\n";
     for (const auto& [name, m] : measurements_) {
-      file << fmt::format("{},{},{:.5g},{:.2g},{:.3e},g++ {},{},{},{}\n", m.problem, m.solver, m.median, m.deviation,
-                          m.error, __VERSION__, VEHICLE_FLAGS, VEHICLE_COMMIT, m.threads);
+      file << fmt::format("{},{},{:.5g},{:.2g},{:.3e},{},{}\n", m.problem, m.solver, m.median, m.deviation, m.error,
+                          vehicle::bench::builtBy(), m.threads);
     }
   }
 

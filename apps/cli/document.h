@@ -18,8 +18,8 @@ enum class Format {
 /// Nothing (does not apply), a text, a number, a whole number, yes or no.
 using Cell = std::variant<std::monostate, std::string, double, long, bool>;
 
-/// A cell at the end of a row, "nothing" where there is no value. It is made in its place: g++ 12 takes one that is moved
-/// there for one half made.
+/// A cell at the end of a row, "nothing" where there is no value. It is made in its place: g++ 12 takes one that is
+/// moved there for one half made.
 template <class T>
 void addCell(std::vector<Cell>& row, const std::optional<T>& value) {
   if (value) {

@@ -14,6 +14,7 @@
 #include "apps/cli/study_files.h"
 #include "apps/cli/study_tables.h"
 #include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/study/evaluate/rest_and_modes.h"
 #include "libvehicle/study/runner.h"
 #include "libvehicle/study/search/search_study.h"
 #ifdef VEHICLE_WITH_MPI
@@ -145,6 +146,9 @@ int runStudyFile(const StudyOptions& options) {
   requireTargets(options);
   Document document = headOf(work, options.database);
   document.remarks.push_back(StudyEvaluator(work.inputs).path().text);
+  if (!options.common.quiet) {
+    for (const std::string& doubt : modesInDoubt(work.inputs)) std::cerr << options.study << ": " << doubt << '\n';
+  }
 
   const StudyOutcome outcome = evaluate(options, work, *executor);
   const StudyProgress& done = outcome.progress;

@@ -139,6 +139,18 @@ TEST(StudyCommand, WhatCannotBeWrittenIsToldBeforeAnyDesign) {
   EXPECT_FALSE(std::filesystem::exists(to));
 }
 
+TEST(StudyCommand, TellsAModeThatTheVehicleLacksBeforeTheFirstDesign) {
+  const TestFolder folder;
+  const std::string study = smallStudyIn(
+      folder, with(smallStudy(), "<objective", "<metric name=\"mode.carbody bounse.damping\"/>\n  <objective"));
+  const ProgramRun run = runVehicle({"study", study, "--output", folder.path("study.sqlite")});
+  EXPECT_EQ(run.err.find(study + ": metric mode.carbody bounse.damping: mode \"carbody bounse\" is unknown; did you "
+                                 "mean \"carbody bounce\"? (in the vehicle as it stands; designs without that mode "
+                                 "fail)\n"),
+            0u)
+      << run.err;
+}
+
 TEST(StudyCommand, AStudyThatFailsInEveryDesignSaysWhyAndEndsWithThree) {
   const TestFolder folder;
   const std::string wrong =

@@ -8,6 +8,7 @@
 #include "libvehicle/ensemble/ensemble.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/study/evaluate/column_statistic.h"
+#include "libvehicle/study/evaluate/rest_and_modes.h"
 #include "tests/study/inputs.h"
 #include "tests/support/trains.h"
 #include "tests/support/tolerance.h"
@@ -258,6 +259,11 @@ TEST(StudyEvaluator, AModeThatIsNotThereNamesTheNearest) {
                {paperScenario(History::kOnset)});
   const Answers answers = answersOf(inputs, {{57e3}});
   EXPECT_EQ(answers.problems.at(0), "mode \"carbody bouncy\" is unknown; did you mean \"carbody bounce\"?");
+  // The same is known before the first design.
+  ASSERT_EQ(modesInDoubt(inputs).size(), 1u);
+  EXPECT_EQ(modesInDoubt(inputs).front(),
+            "metric mode.carbody bouncy.frequency: mode \"carbody bouncy\" is unknown; did you mean "
+            "\"carbody bounce\"? (in the vehicle as it stands; designs without that mode fail)");
 }
 
 TEST(StudyEvaluator, WhatIsWrongWithTheStudyIsToldBeforeAnyDesign) {

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
 
 #include "libvehicle/linear/modes.h"
 #include "libvehicle/simulate/forms.h"
@@ -16,6 +20,16 @@ template <class Part>
 std::size_t placeOf(const std::vector<Part>& parts, const std::string& name) {
   const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& each) { return each.name == name; });
   return static_cast<std::size_t>(found - parts.begin());
+}
+
+std::vector<Mode> modesOfVehicle(const Vehicle& vehicle, double gravity) {
+  return modesOf(*buildForm(defaultForm(vehicle), vehicle, gravity));
+}
+
+std::string modeMissing(const std::string& name, const std::vector<Mode>& modes) {
+  std::vector<std::string> names;
+  for (const Mode& mode : modes) names.push_back(mode.name);
+  return unknownName("mode", name, names);
 }
 
 }  // namespace
@@ -66,17 +80,27 @@ void RestAndModes::evaluateRest(std::size_t row, double gravity, DesignRows& row
 }
 
 void RestAndModes::evaluateModes(std::size_t row, double gravity, DesignRows& rows) const {
-  const std::vector<Mode> modes = modesOf(*buildForm(defaultForm(vehicle_), vehicle_, gravity));
+  const std::vector<Mode> modes = modesOfVehicle(vehicle_, gravity);
   for (const MetricPlace& each : modes_) {
     const std::size_t place = placeOf(modes, each.metric.subject);
-    if (place == modes.size()) {
-      std::vector<std::string> names;
-      for (const Mode& mode : modes) names.push_back(mode.name);
-      return rows.fail(row, unknownName("mode", each.metric.subject, names));
-    }
+    if (place == modes.size()) return rows.fail(row, modeMissing(each.metric.subject, modes));
     rows.metric(row, each.place) =
         each.metric.quantity == "frequency" ? modes[place].frequency : modes[place].damping_ratio;
   }
+}
+
+std::vector<std::string> modesInDoubt(const StudyInputs& inputs) {
+  std::vector<std::string> doubts;
+  std::vector<Mode> modes;
+  for (const BoundMetric& each : inputs.bound.metrics) {
+    const Metric& metric = each.metric;
+    if (metric.kind != MetricKind::kMode) continue;
+    if (modes.empty()) modes = modesOfVehicle(inputs.vehicle, inputs.scenarios.front().gravity);
+    if (placeOf(modes, metric.subject) < modes.size()) continue;
+    doubts.push_back(fmt::format("metric {}: {} (in the vehicle as it stands; designs without that mode fail)",
+                                 metric.name, modeMissing(metric.subject, modes)));
+  }
+  return doubts;
 }
 
 }  // namespace vehicle

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "libvehicle/study/evaluate/path.h"
@@ -27,5 +28,10 @@ class RestAndModes {
   std::vector<MetricPlace> rest_;
   std::vector<MetricPlace> modes_;
 };
+
+/// Modes that the metrics name and the study's own vehicle has not, a sentence each with the nearest name. No error:
+/// which modes there are changes with the numbers, a design may have them.
+/// Cost: one eigenvalue problem where a mode is asked for.
+[[nodiscard]] std::vector<std::string> modesInDoubt(const StudyInputs& inputs);
 
 }  // namespace vehicle

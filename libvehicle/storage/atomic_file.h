@@ -39,8 +39,8 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
-/// Makes a new name in the folder of a file outlast a power cut. Some file systems refuse that: then nothing happens, the
-/// file itself is safe already.
+/// Makes a new name in the folder of a file outlast a power cut. Some file systems refuse that: then nothing happens,
+/// the file itself is safe already.
 void flushFolderOf(const std::filesystem::path& file);
 
 }  // namespace vehicle

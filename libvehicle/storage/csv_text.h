@@ -26,8 +26,8 @@ void appendNumber(std::string& line, double value);
 /// Without the blanks about it, which people type after commas.
 [[nodiscard]] std::string_view trimmed(std::string_view field);
 
-/// "carbody.z [m]" taken apart, blanks about it left out; nothing if there is no name or no unit in brackets. A plain number
-/// has "[]".
+/// "carbody.z [m]" taken apart, blanks about it left out; nothing if there is no name or no unit in brackets. A plain
+/// number has "[]".
 [[nodiscard]] std::optional<Channel> channelOf(std::string_view field);
 
 /// Most problems that are told of one file.

@@ -31,7 +31,8 @@ struct ValidationChoice {
                                      // not read
   std::vector<SharedColumn> shared = usualSharedColumns();  // each beside its serial run, where that is run
   // [s] that a shared run may last, and as much again for every 10 000 steps. Four threads on two cores that other
-  // programs keep busy take milliseconds a step, 500 times what they take in peace: such a run is left out, with a note.
+  // programs keep busy take milliseconds a step, 500 times what they take in peace: such a run is left out, with a
+  // note.
   double patience = 1.0;
 };
 

@@ -64,7 +64,8 @@ AttributeReading readFile(const AttributeRow& row, std::string_view text) {
 
 AttributeReading readWords(const AttributeRow& row, std::string_view text) {
   if (text.find_first_not_of(kSpaces) != std::string_view::npos) return {std::string(text), "", ""};
-  return {std::string(text), fmt::format("{} is empty", written(row, text)), "write what it says, or leave the attribute out"};
+  return {std::string(text), fmt::format("{} is empty", written(row, text)),
+          "write what it says, or leave the attribute out"};
 }
 
 AttributeReading readQuantity(const AttributeRow& row, std::string_view text) {

@@ -35,8 +35,8 @@ namespace vehicle {
 /// Does not look for the files that the suite names.
 [[nodiscard]] Outcome<Suite> readSuiteText(std::string_view text, const std::string& file_name);
 
-/// The same for a study. Its vehicle and scenarios are read too: their problems are told where the study names them, and
-/// the names and values of the study are held against them (bindStudy() of definition).
+/// The same for a study. Its vehicle and scenarios are read too: their problems are told where the study names them,
+/// and the names and values of the study are held against them (bindStudy() of definition).
 [[nodiscard]] Outcome<Study> readStudy(const std::string& path);
 /// Does not look for the files that the study names.
 [[nodiscard]] Outcome<Study> readStudyText(std::string_view text, const std::string& file_name);

@@ -29,8 +29,8 @@ struct Printed {
 std::vector<Printed> numbersIn(const std::string& cell) {
   std::vector<Printed> numbers;
   for (std::size_t at = 0; at < cell.size();) {
-    const bool starts = std::isdigit(static_cast<unsigned char>(cell[at])) ||
-                        (cell[at] == '-' && at + 1 < cell.size() && std::isdigit(static_cast<unsigned char>(cell[at + 1])));
+    const auto isDigit = [&](std::size_t i) { return std::isdigit(static_cast<unsigned char>(cell[i])) != 0; };
+    const bool starts = isDigit(at) || (cell[at] == '-' && at + 1 < cell.size() && isDigit(at + 1));
     if (!starts) {
       ++at;
       continue;

@@ -105,7 +105,8 @@ TEST(IndependentParts, RandomDelaysChangeNoBit) {
     std::array<std::minstd_rand, 2> generators{std::minstd_rand(7), std::minstd_rand(11)};
     team.disturb = [&](int thread, long) {
       auto& draw = generators[static_cast<std::size_t>(thread)];
-      if (draw() % (thread == slow ? 40 : 400) == 0) std::this_thread::sleep_for(std::chrono::microseconds(draw() % 300));
+      if (draw() % (thread == slow ? 40 : 400) != 0) return;
+      std::this_thread::sleep_for(std::chrono::microseconds(draw() % 300));
     };
     EXPECT_EQ(runOn(problem, team).rows, serial) << "thread " << slow << " is slow";
   }

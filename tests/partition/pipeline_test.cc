@@ -205,8 +205,9 @@ TEST(Pipeline, AnObserverThatSaysNoEndsTheTeam) {
         stepper, 4, sweepRows(input), schedule, {1e-3}, kRest,
         [&](int sample, int, double, std::span<const double>) { return sample < last; }, {.threads = 3});
     EXPECT_TRUE(made.run.statistics.stopped);
-    const Statistics alone = runFixedStep(stepper, input, schedule, {1e-3}, kRest,
-                                          [&](int sample, int, double, std::span<const double>) { return sample < last; });
+    const Statistics alone =
+        runFixedStep(stepper, input, schedule, {1e-3}, kRest,
+                     [&](int sample, int, double, std::span<const double>) { return sample < last; });
     EXPECT_EQ(made.run.statistics.steps, alone.steps);
   }
 }

@@ -2,7 +2,8 @@
 
 #include <Eigen/Core>
 
-// Eigen's solvers take the compiler seconds, under sanitizers half a minute: compiled once a program, in eigenvalues.cc.
+// Eigen's solvers take the compiler seconds, under sanitizers half a minute: compiled once a program, in
+// eigenvalues.cc.
 namespace vehicle::test {
 
 Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A);

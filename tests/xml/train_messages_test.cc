@@ -107,7 +107,8 @@ TEST_F(TrainFolder, AVehicleFileThatIsMissingOrNoVehicleIsToldByTheTrain) {
 }
 
 TEST_F(TrainFolder, ProblemsOfAVehicleFileAreToldOnceAtItsOwnPlace) {
-  const std::string wrong = put("w.xml", withLine(test::kVehicleLines, 3, R"(<body name="frame" mass="0 t" motion="z"/>)"));
+  const std::string wrong =
+      put("w.xml", withLine(test::kVehicleLines, 3, R"(<body name="frame" mass="0 t" motion="z"/>)"));
   const std::string file = train(R"(<vehicle file="w.xml" spacing="26 m"/> <vehicle file="w.xml" spacing="26 m"/>)");
   EXPECT_EQ(checkFile(file).text(), wrong + ":3: error: <vehicle><body>: mass=\"0 t\"; must be > 0\n");
   EXPECT_FALSE(readVehicle(file).value.has_value());

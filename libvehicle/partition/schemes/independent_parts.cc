@@ -63,7 +63,9 @@ class PartSamples {
   }
 
  private:
-  [[nodiscard]] std::size_t place(long sample) const { return static_cast<std::size_t>(sample & (samples_ - 1)) * states_; }
+  [[nodiscard]] std::size_t place(long sample) const {
+    return static_cast<std::size_t>(sample & (samples_ - 1)) * states_;
+  }
   double* slot(long sample) { return values_.data() + place(sample); }
 
   const std::size_t states_;

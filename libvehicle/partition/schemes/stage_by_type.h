@@ -146,8 +146,9 @@ class TypedStageMember {
   }
 
   [[gnu::always_inline]] void take(State& s) {
+    // A copy, made before the look: looked up after it, the pointers would stand between it and the equations.
+    const std::array<const double*, kEquations> from = from_[static_cast<std::size_t>(epoch_ & 1)];
     for (const StagePlan::Source& source : part_.sources) (void)exchange_.await(me_, source.owner, epoch_);
-    const auto& from = from_[static_cast<std::size_t>(epoch_ & 1)];
     every<false>([&](auto e) { s.set(e, from[e][0], from[e][1]); });
   }
 

@@ -1,5 +1,6 @@
 #include "apps/cli/progress.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <utility>
@@ -10,10 +11,11 @@
 namespace vehicle::cli {
 namespace {
 
-// A signal handler can reach nothing but a global of this type.
-volatile std::sig_atomic_t interrupt_asked = 0;
+// A signal handler can reach nothing but a global. Any thread may ask for it: the one that observes a shared run does.
+std::atomic<bool> interrupt_asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void onInterrupt(int) { interrupt_asked = 1; }
+extern "C" void onInterrupt(int) { interrupt_asked.store(true, std::memory_order_relaxed); }
 
 }  // namespace
 
@@ -26,7 +28,7 @@ void catchInterrupt() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-bool interrupted() { return interrupt_asked != 0; }
+bool interrupted() { return interrupt_asked.load(std::memory_order_relaxed); }
 
 ProgressBar::ProgressBar(Shown shown, double total, std::string unit)
     : enabled_(shown == Shown::kOnTerminal && isatty(STDERR_FILENO) == 1), total_(total), unit_(std::move(unit)) {}

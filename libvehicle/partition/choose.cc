@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "libvehicle/integrate/fixed_step_run.h"
@@ -22,6 +23,7 @@ constexpr double kLeastUseful = 4e-3;        // [s] starting a few teams and ste
 constexpr double kTypicalEquation = 12e-9;   // [s] a step, before anything is measured
 constexpr double kTypicalHarmonic = 1.5e-9;  // [s] a step and channel
 constexpr double kWins = 0.95;
+constexpr double kLeastTrials = 4.0;         // the first way before and after, another one twice
 constexpr double kRepeats = 1.5;             // two timings of the same further apart than this mean nothing
 constexpr std::size_t kMostTried = 3;
 constexpr std::size_t kTriedTwice = 2;
@@ -163,6 +165,9 @@ class Choosing {
     timeFirst(guess);
     budget_ = std::min(kMostSpent, kMostShare * made_.step * steps_);
     if (budget_ < kLeastUseful) return tooShort(made_.step * steps_);
+    if (kLeastTrials * start_ + since(begin_) > budget_) {
+      return nameOf(first_) + ": a trial takes " + milliseconds(start_) + " before its first step, too long to try others";
+    }
     timeParts();
     std::vector<std::size_t> promising = mostPromising();
     if (promising.empty()) return nameOf(first_) + ": no other way can be faster, exchanges included";
@@ -185,9 +190,15 @@ class Choosing {
 
   void timeFirst(double guess) {
     const Trial probe = trialOf(problem_, stepsIn(0.5e-3, guess / steps_));
-    const auto probed = [&] { return timeOf(first_, probe, kMostSpent); };
-    made_.step = probed();
-    made_.step = std::min(made_.step, probed());
+    made_.step = start_ = std::numeric_limits<double>::max();
+    const auto look = [&] {
+      const Clock::time_point begin = Clock::now();
+      const double step = timeOf(first_, probe, kMostSpent);
+      made_.step = std::min(made_.step, step);
+      start_ = std::min(start_, std::max(0.0, since(begin) - step * static_cast<double>(probe.steps)));
+    };
+    look();
+    if (since(begin_) < kMostSpent) look();
     made_.candidates.front().measured = made_.candidates.front().predicted = made_.step;
   }
 
@@ -266,6 +277,7 @@ class Choosing {
   const Way& first_;
   double steps_;
   Clock::time_point begin_ = Clock::now();
+  double start_ = 0.0;   // [s] of a trial before its first step, as an exact method takes to find its matrices
   double budget_ = 0.0;  // [s] for all of it
   Decision made_;
 };

@@ -56,8 +56,9 @@ struct WayProblem {
 /// Prediction first: the costs of a step, of its input and of an empty exchange say what each way can reach at best.
 /// Those that promise something are then tried on the first steps of the run itself, against the first way before and
 /// after. All of it takes about 15 ms at most and about a sixtieth of the run: a run too short for that takes the
-/// first way at once. Where the first way's two timings do not agree, something else is using the machine and no
-/// timing means anything: the first way again.
+/// first way at once, and so does one whose trials would take that long before their first step (an exact method finds
+/// its matrices anew for each). Where the first way's two timings do not agree, something else is using the machine and
+/// no timing means anything: the first way again.
 ///
 /// A way is taken if its trial is at least 5 % faster, so that the choice costs a sixtieth of the run at worst.
 /// Results do not depend on it; only the time does.

@@ -125,13 +125,26 @@ class Sharing {
     if (!sharesEquations(scheme)) return true;
     const EquationSet* set = system_.equations();
     if (set == nullptr || static_cast<int>(set->equations().size()) < threads) return false;
-    if (scheme == Scheme::kRows || request_.map == EquationMap::kAuto) return true;
+    if (request_.map == EquationMap::kAuto) return true;
     try {
       (void)shareEquations(*set, request_.map, threads);
     } catch (const std::invalid_argument&) {
       return false;
     }
     return true;
+  }
+
+  /// Says why no scheme fits the threads that were asked for.
+  [[noreturn]] void refuse() const {
+    const EquationSet* set = system_.equations();
+    if (set == nullptr || set->equations().size() < 2) {
+      throw std::invalid_argument(
+          fmt::format("{} of this form has no more than one equation to share; take --threads 1", method_));
+    }
+    if (request_.map != EquationMap::kAuto) (void)shareEquations(*set, request_.map, request_.threads);
+    throw std::invalid_argument(
+        fmt::format("{} threads for {} equations: every thread computes at least one; take at most {}",
+                    request_.threads, set->equations().size(), set->equations().size()));
   }
 
   [[nodiscard]] Way way(Scheme scheme, int threads) const {
@@ -177,24 +190,13 @@ SharedRun runShared(const std::string& method, const System& system, const Input
     for (const Scheme scheme : sharing.schemes(threads)) ways.push_back(sharing.way(scheme, threads));
   }
   if (ways.empty() && request.threads == 0) ways.push_back(sharing.way(schemeOf(request.scheme), 1));
-  if (ways.empty()) {
-    const EquationSet* set = system.equations();
-    if (set != nullptr && set->equations().size() > 1) {
-      throw std::invalid_argument(
-          fmt::format("{} threads for {} equations: every thread computes at least one; take at most {}",
-                      request.threads, set->equations().size(), set->equations().size()));
-    }
-    throw std::invalid_argument(
-        fmt::format("{} of this form has no more than one equation to share; take --threads 1", method));
-  }
+  if (ways.empty()) sharing.refuse();
 
   Decision decision{.scheme = ways.front().scheme, .threads = ways.front().threads};
-  if (ways.size() > 1) {
+  if (request.threads == 0 || ways.size() > 1) {
     const bool exact = method.starts_with("exact");
     const long steps = exact ? static_cast<long>(schedule.stretches().size()) : stepsOfRun(schedule, settings.step);
     decision = chooseWay({system, input, schedule, steps, exact, request.map, request.team}, ways);
-  } else if (request.threads == 0) {
-    decision.reason = "serial: there is no other way";
   }
   SharedRun run = sharing.run(decision.scheme, decision.threads, input, schedule, observe);
   run.decision = std::move(decision);

@@ -89,7 +89,8 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
       !misfit.empty()) {
     throw std::invalid_argument(misfit);
   }
-  if (const std::string misfit = mapMisfit(choice.scheme, choice.map); !misfit.empty()) {
+  if (const std::string misfit = mapMisfit(result.form, result.method, choice.threads, choice.scheme, choice.map);
+      !misfit.empty()) {
     throw std::invalid_argument(misfit);
   }
 
@@ -102,8 +103,10 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   Recorder recorder(*system, input, schedule, progress);
   const auto begin = std::chrono::steady_clock::now();
   try {
+    const bool only_serial = choice.threads == 0 && !canBeShared(result.form, result.method);
     SharedRun run = runShared(result.method, *system, input, schedule, settings, x0, std::ref(recorder),
-                              {choice.threads, choice.scheme, equationMapOf(choice.map), choice.team});
+                              {choice.threads, only_serial ? nameOf(Scheme::kSerial) : choice.scheme,
+                               equationMapOf(choice.map), choice.team});
     result.statistics = run.statistics;
     result.scheme = nameOf(run.scheme);
     result.threads = run.threads;

@@ -66,12 +66,30 @@ std::string threadsMisfit(const std::string& form, const std::string& method, in
   return {};
 }
 
-std::string mapMisfit(const std::string& scheme, const std::string& map) {
-  if (map == nameOf(EquationMap::kAuto) || scheme.empty() || sharesEquations(schemeOf(scheme))) return {};
-  return fmt::format(
-      "map {} with scheme {}, whose threads have no equations of their own; leave the map away, or take scheme stages, "
-      "halo or rows",
-      map, scheme);
+bool canBeShared(const std::string& form, const std::string& method) {
+  return schemesOf(method).size() > 1 && whyNotShared(form, method).empty();
+}
+
+std::string mapMisfit(const std::string& form, const std::string& method, int threads, const std::string& scheme,
+                      const std::string& map) {
+  if (map == nameOf(EquationMap::kAuto)) return {};
+  if (!scheme.empty()) {
+    if (sharesEquations(schemeOf(scheme))) return {};
+    return fmt::format(
+        "map {} with scheme {}, whose threads have no equations of their own; leave the map away, or take scheme "
+        "stages, halo or rows",
+        map, scheme);
+  }
+  if (threads == 1) {
+    return fmt::format("map {} on one thread, which computes all equations; leave the map away, or take more threads",
+                       map);
+  }
+  if (std::string why = whyNotShared(form, method); !why.empty()) return why;
+  const std::vector<Scheme> schemes = schemesOf(method);
+  if (std::any_of(schemes.begin(), schemes.end(), sharesEquations)) return {};
+  return fmt::format("map {} with {}, whose threads have no equations of their own; leave the map away, or take "
+                     "method rk4 or exact",
+                     map, method);
 }
 
 }  // namespace vehicle

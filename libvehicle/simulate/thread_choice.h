@@ -22,8 +22,12 @@ inline constexpr int kMostThreads = 256;
 [[nodiscard]] std::string threadsMisfit(const std::string& form, const std::string& method, int threads,
                                         const std::string& scheme);
 
-/// Why that map says nothing to that scheme, with the remedy; empty if it does, or if either is left open.
-/// @param scheme  schemeNames(), or empty   @param map  equationMapNames()
-[[nodiscard]] std::string mapMisfit(const std::string& scheme, const std::string& map);
+/// Whether several threads could share a run of that form by that method at all.
+[[nodiscard]] bool canBeShared(const std::string& form, const std::string& method);
+
+/// Why nobody would read that map, with the remedy; empty if somebody does, or may.
+/// @param threads  0: left open   @param scheme  schemeNames(), or empty: left open   @param map  equationMapNames()
+[[nodiscard]] std::string mapMisfit(const std::string& form, const std::string& method, int threads,
+                                    const std::string& scheme, const std::string& map);
 
 }  // namespace vehicle

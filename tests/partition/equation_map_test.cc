@@ -109,6 +109,11 @@ TEST(EquationMap, BodyTellsTheMostThreadsThatItCanTakeWhateverIsAsked) {
 TEST(EquationMap, BodyKeepsTheEquationsOfABodyTogether) {
   EXPECT_EQ(shareEquations(vehicleSet(), EquationMap::kBody, 3), (Shares{{0, 1}, {2}, {3}}));
   EXPECT_EQ(shareEquations(vehicleSet(), EquationMap::kBody, 1), (Shares{{0, 1, 2, 3}}));
+  // Names as a form of any topology gives them, of the second vehicle of a train.
+  const NamedSet train({{"coach_2.carbody.z", {1, 2}}, {"coach_2.carbody.pitch", {0, 2}}, {"coach_2.bogie.z", {0, 1}}});
+  EXPECT_EQ(shareEquations(train, EquationMap::kBody, 2), (Shares{{0, 1}, {2}}));
+  EXPECT_EQ(refusal(train, EquationMap::kBody, 3),
+            "3 threads for 2 bodies: map body gives every thread at least one; take at most 2");
   const MassGraph chain = massChain(16);  // eight bodies of two masses
   for (int threads = 1; threads <= 8; ++threads) {
     const Shares shares = shareEquations(chain.set(), EquationMap::kBody, threads);

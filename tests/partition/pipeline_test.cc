@@ -171,8 +171,12 @@ TEST(InputParcels, HoldEveryBlockOfTheRunInOrder) {
     const FixedStep step{1e-3, 3};
     const InputParcels parcels(schedule, step);
     std::vector<StepBlock> met, some;
+    long steps = 0;
     for (long p = 0; p < parcels.count(); ++p) {
       parcels.read(p, some);
+      EXPECT_EQ(parcels.stepsOf(p).first, steps);
+      for (const StepBlock& block : some) steps += block.last - block.first;
+      EXPECT_EQ(parcels.stepsOf(p).last, steps);
       met.insert(met.end(), some.begin(), some.end());
     }
     std::size_t next = 0;

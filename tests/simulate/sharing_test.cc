@@ -168,12 +168,52 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
   EXPECT_EQ(refusal("flat", "rk4", 2, "pipeline", "body"),
             "map body with scheme pipeline, whose threads have no equations of their own; leave the map away, or take "
             "scheme stages, halo or rows");
+  EXPECT_EQ(refusal("flat", "rk4", 1, "", "body"),
+            "map body on one thread, which computes all equations; leave the map away, or take more threads");
+  for (const int threads : {0, 2}) {
+    EXPECT_EQ(refusal("flat", "rk4_split", threads, "", "body"),
+              "map body with rk4_split, whose threads have no equations of their own; leave the map away, or take "
+              "method rk4 or exact");
+  }
+  EXPECT_EQ(refusal("mbs", "rk4", 0, "", "body"), refusal("mbs", "rk4", 2, ""));
+  EXPECT_EQ(refusal("flat", "rk4", 4, "", "body"),
+            "4 threads for 3 bodies: map body gives every thread at least one; take at most 3");
+  EXPECT_EQ(refusal("matrix", "rk4", 4, "", "body"), refusal("flat", "rk4", 4, "", "body"));
+  EXPECT_EQ(refusal("flat", "rk4", 2, "", "paper"),
+            "map paper is the source paper's four threads for one vehicle of four equations; here are 2 threads; take "
+            "4, or map auto or body");
+  EXPECT_EQ(refusal("flat", "exact", 0, "", "paper"), "not refused");
   EXPECT_EQ(refusal("flat", "rk4", 2, "stages", "papr"), "map \"papr\" is unknown; did you mean \"paper\"?");
   const std::string many = refusal("flat", "rk4", 5, "stages");
   EXPECT_NE(many.find("5"), std::string::npos) << many;
   EXPECT_NE(many.find("4"), std::string::npos) << many;
   EXPECT_NE(refusal("flat", "rk4", 2, "stages", "paper"), "not refused");
   EXPECT_EQ(refusal("flat", "rk4", 4, "stages", "paper"), "not refused");
+}
+
+TEST(Sharing, AutoNamesTheOnlyWayThereIs) {
+  const auto reason = [](const char* form, const char* method, const char* scheme) {
+    RunChoice choice;
+    choice.threads = 0;
+    choice.scheme = scheme;
+    return run(paperVehicle(), shortened(paperScenario(History::kOnset)), form, method, choice).decision.reason;
+  };
+  EXPECT_EQ(reason("flat", "dopri5", ""), "serial: there is no other way");
+  EXPECT_EQ(reason("mbs", "rk4", ""), "serial: there is no other way");
+  // On one core it is the scheme's one thread.
+  EXPECT_TRUE(reason("flat", "rk4_split", "split").starts_with("split")) << reason("flat", "rk4_split", "split");
+}
+
+TEST(Sharing, AutoWeighsOnlyTheThreadsThatTheMapKnows) {
+  RunChoice choice;
+  choice.threads = 0;
+  choice.map = "paper";
+  for (const char* method : {"rk4", "exact"}) {
+    const RunResult made = run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", method, choice);
+    for (const Candidate& each : made.decision.candidates) {
+      EXPECT_EQ(each.threads, each.scheme == Scheme::kSerial ? 1 : 4) << method << " " << nameOf(each.scheme);
+    }
+  }
 }
 
 std::string workOf(const char* method, const char* scheme, int threads, const char* map = "auto") {

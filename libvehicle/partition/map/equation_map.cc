@@ -121,13 +121,18 @@ Shares paperShares(const EquationSet& set, int threads) {
   return shares;
 }
 
+/// The body of an equation: what stands before its motion, in "carbody bounce (2)" and in "coach_3.carbody.z".
+std::string bodyOf(const std::string& equation) {
+  const std::size_t blank = equation.find(' ');
+  return equation.substr(0, blank != std::string::npos ? blank : equation.rfind('.'));
+}
+
 Shares bodyShares(const EquationSet& set, int threads, const std::vector<double>& cost) {
   std::vector<std::string> names;
   Shares bodies;
   std::vector<double> weight;
   for (int e = 0; e < static_cast<int>(set.equations().size()); ++e) {
-    const std::string& name = set.equations()[at(e)].name;
-    const std::string body = name.substr(0, name.find(' '));
+    const std::string body = bodyOf(set.equations()[at(e)].name);
     // Along a train the body is near the end of the list.
     const auto found = std::find(names.rbegin(), names.rend(), body);
     const auto index = static_cast<std::size_t>(names.rend() - found) - (found == names.rend() ? 0 : 1);

@@ -13,30 +13,43 @@ InputParcels::InputParcels(const Schedule& schedule, FixedStep step) {
   const std::size_t stretches = schedule.stretches().size();
   int room = 0;  // steps that still fit into the last group
   int rows = 0;  // of the last group
+  long done = 0;  // steps
   for (std::size_t first = 0; first < stretches;) {
     const StepGrid grid = stepGridAt(schedule, first, step);
     const Stretch& begin = schedule.stretches()[first];
     const int steps = grid.steps * static_cast<int>(grid.count);
     grids_.push_back({begin.segment, begin.begin, grid.h, steps});
     if (steps > room) {
-      groups_.push_back({count_, grids_.size() - 1, grids_.size()});
+      groups_.push_back({count_, grids_.size() - 1, grids_.size(), done, done + steps});
       count_ += (steps + kStepsPerBlock - 1) / kStepsPerBlock;
       room = std::max(0, kStepsPerBlock - steps);
       rows = 2 * std::min(steps, kStepsPerBlock) + 1;
     } else {
       groups_.back().last_grid = grids_.size();
+      groups_.back().last_step += steps;
       room -= steps;
       rows += 2 * steps + 1;
     }
     most_rows_ = std::max(most_rows_, rows);
+    done += steps;
     first += grid.count;
   }
 }
 
-void InputParcels::read(long parcel, std::vector<StepBlock>& blocks) const {
+const InputParcels::Group& InputParcels::groupOf(long parcel) const {
   const auto after = std::upper_bound(groups_.begin(), groups_.end(), parcel,
                                       [](long p, const Group& group) { return p < group.first_parcel; });
-  const Group& group = *(after - 1);
+  return *(after - 1);
+}
+
+InputParcels::Steps InputParcels::stepsOf(long parcel) const {
+  const Group& group = groupOf(parcel);
+  const long first = group.first_step + (parcel - group.first_parcel) * kStepsPerBlock;
+  return {first, std::min(first + kStepsPerBlock, group.last_step)};
+}
+
+void InputParcels::read(long parcel, std::vector<StepBlock>& blocks) const {
+  const Group& group = groupOf(parcel);
   blocks.clear();
   const int first = static_cast<int>(parcel - group.first_parcel) * kStepsPerBlock;
   for (std::size_t g = group.first_grid; g < group.last_grid; ++g) {
@@ -87,9 +100,10 @@ void InputAhead::help(Member& me) {
     parcel = std::max(parcel, done_.load(std::memory_order_acquire));
     if (parcel >= parcels_.count()) return;
     me.wait([&] { return done_.load(std::memory_order_acquire) > parcel - count_; }, 0);
-    me.beginStep(parcel);
+    const InputParcels::Steps steps = parcels_.stepsOf(parcel);
+    me.beginSteps(steps.first, steps.last);
     computeIfOpen(me, parcel, blocks);
-    me.endStep(parcel);
+    me.endStep(steps.first);
   }
 }
 

@@ -43,6 +43,12 @@ class InputParcels {
   [[nodiscard]] int mostRows() const { return most_rows_; }
   /// The blocks of a parcel. @param blocks  overwritten; holds kStepsPerBlock at most
   void read(long parcel, std::vector<StepBlock>& blocks) const;
+  /// Steps of the run that a parcel is for.
+  struct Steps {
+    long first = 0;
+    long last = 0;  // one past
+  };
+  [[nodiscard]] Steps stepsOf(long parcel) const;
 
  private:
   struct Grid {
@@ -55,7 +61,11 @@ class InputParcels {
     long first_parcel = 0;
     std::size_t first_grid = 0;
     std::size_t last_grid = 0;
+    long first_step = 0;  // of the run
+    long last_step = 0;   // one past
   };
+  const Group& groupOf(long parcel) const;
+
   std::vector<Grid> grids_;
   std::vector<Group> groups_;
   long count_ = 0;

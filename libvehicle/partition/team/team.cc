@@ -44,6 +44,8 @@ class TeamRun {
       fail(std::make_exception_ptr(std::runtime_error("team: thread " + std::to_string(threads.size() + 1) + " of " +
                                                       std::to_string(choice_.threads) + " was refused by the system (" +
                                                       refused.what() + "); take fewer threads")));
+    } catch (...) {  // those that stand already must be let go
+      fail(std::current_exception());
     }
     for (std::thread& thread : threads) thread.join();
     if (failure_) std::rethrow_exception(failure_);

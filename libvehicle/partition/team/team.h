@@ -75,6 +75,10 @@ class alignas(64) Member {
     if (trace_ != nullptr) [[unlikely]]
       trace_->beginStep(step);
   }
+  void beginSteps(long first, long last) {
+    if (trace_ != nullptr) [[unlikely]]
+      trace_->beginSteps(first, last);
+  }
   void endStep(long step) {
     if (trace_ != nullptr) [[unlikely]]
       trace_->endStep(step);

@@ -71,6 +71,11 @@ class alignas(64) ThreadTrace {
     if (step < next_) return;
     openStep(step);
   }
+  /// Work for the steps first .. last-1 together, under the first of them that is traced.
+  void beginSteps(long first, long last) {
+    const long step = (first + every_ - 1) / every_ * every_;
+    if (step < last) beginStep(step);
+  }
   void beginWait(int for_whom) {
     if (!open_) return;
     close(Span::Kind::kCompute, -1);

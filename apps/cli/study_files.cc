@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <set>
@@ -21,9 +22,7 @@ namespace fs = std::filesystem;
 /// Reads one file after another and gathers what is wrong.
 class Gatherer {
  public:
-  explicit Gatherer(const std::string& study) : folder_(fs::path(study).parent_path().lexically_normal()) {
-    if (folder_.empty()) folder_ = ".";
-  }
+  explicit Gatherer(const std::string& study) : folder_(fs::absolute(study).lexically_normal().parent_path()) {}
 
   template <class T>
   std::optional<T> take(Outcome<T> outcome) {
@@ -35,7 +34,7 @@ class Gatherer {
   void keep(const std::string& path) {
     if (!kept_.insert(fs::path(path).lexically_normal().string()).second) return;
     const Outcome<std::string> text = readFile(path);
-    const fs::path near = fs::path(path).lexically_normal().lexically_relative(folder_);
+    const fs::path near = fs::absolute(path).lexically_normal().lexically_relative(folder_);
     if (text.value) texts_.push_back({near.empty() ? path : near.string(), *text.value});
   }
 
@@ -117,7 +116,13 @@ StudyWork readStudyWork(const std::string& file) {
 StudyWork restoreStudyWork(const StudyRecord& record) {
   // Deep enough that names like ../../vehicles/coach.xml stay inside.
   const PassingFolder passing;
-  const fs::path folder = passing.path() / "1/2/3/4/5/6/7/8";
+  std::ptrdiff_t up = 0;
+  for (const InputFile& each : record.inputs) {
+    const fs::path name = fs::path(each.name).lexically_normal();
+    up = std::max(up, std::count(name.begin(), name.end(), fs::path("..")));
+  }
+  fs::path folder = passing.path() / "study";
+  for (; up > 0; --up) folder /= "in";
   fs::create_directories(folder);
   for (const InputFile& each : record.inputs) {
     const fs::path place = (folder / each.name).lexically_normal();

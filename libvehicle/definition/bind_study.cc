@@ -38,6 +38,10 @@ class Binder {
     for (const Vary& vary : study_.varies) bindVary(vary);
     for (const std::string& address : listed) {
       Judge judge(problems_, "<study><plan>", "", study_.plan ? study_.plan->origin : study_.origin);
+      if (address == "speed" && std::any_of(study_.varies.begin(), study_.varies.end(), givesSpeeds)) {
+        judge.say("lists \"speed\", and a <vary> gives speeds that every design runs at", "remove one of them");
+        continue;
+      }
       static_cast<void>(indexOf(address, judge));
     }
     bindDesigns();
@@ -125,6 +129,11 @@ class Binder {
       factor.parameters.push_back(*index);
     }
     if (!readValues(vary, bound_.parameters[factor.parameters.front()].dimension, factor, judge)) return;
+    const auto isNothing = [&](std::size_t index) { return bound_.parameters[index].base == 0.0; };
+    if (vary.kind == Variation::kRelative &&
+        std::all_of(factor.parameters.begin(), factor.parameters.end(), isNothing)) {
+      judge.say(vary.parameter + " is 0 in the file, and so is every part of it", "vary it with kind=\"absolute\"");
+    }
     for (const std::size_t index : factor.parameters) {
       const StudyParameter& parameter = bound_.parameters[index];
       const StudyParameter& first = bound_.parameters[factor.parameters.front()];

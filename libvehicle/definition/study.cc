@@ -138,7 +138,10 @@ class Checks {
     if (!study_.search) return;
     const Search& search = *study_.search;
     Judge judge(problems_, "<study><search>", "", search.origin);
-    if (study_.objectives.empty()) judge.say("has no objective", "add <objective metric=\"...\" goal=\"minimise\"/>");
+    if (study_.objectives.size() < 2) {
+      judge.say(study_.objectives.empty() ? "has no objective" : "has one objective",
+                "a search weighs two or more; add <objective metric=\"...\" goal=\"minimise\"/>");
+    }
     if (search.seed < 0) judge.say(written("seed", std::to_string(search.seed)), "must be >= 0");
     if (search.generations < 1) {
       judge.say(written("generations", std::to_string(search.generations)), "must be >= 1");

@@ -15,6 +15,7 @@ struct FlatLayout {
   std::array<int, 2> secondary{-1, -1};        // suspensions: carbody on front, on rear bogie
   std::array<int, 4> primary{-1, -1, -1, -1};  // suspensions: bogies on wheels 1 to 4
   std::array<int, 4> wheelset{-1, -1, -1, -1};
+  bool operator==(const FlatLayout&) const = default;
 };
 
 /// The layout, or the problems that prevent it; whole only if `problems` is empty.

@@ -121,6 +121,13 @@ TEST(BindStudy, WhatDoesNotFitTheVehicleIsTold) {
       {[](Study& made) { made.varies[0].kind = Variation::kRelative; },
        "s.xml:4: error: <study><vary>: from=\"500 kN/m\" is a stiffness; a plain number is expected, e.g. \"3\"\n"
        "s.xml:4: error: <study><vary>: to=\"900 kN/m\" is a stiffness; a plain number is expected, e.g. \"3\"\n"},
+      {[](Study& made) {
+         made.varies[0] = test::range("carbody.x", "50 %", "150 %", 5);
+         made.varies[0].kind = Variation::kRelative;
+         made.varies[0].origin = line(4);
+       },
+       "s.xml:4: error: <study><vary>: carbody.x is 0 in the file, and so is every part of it; vary it with "
+       "kind=\"absolute\"\n"},
       {[](Study& made) { made.varies[0].parameter = "secondary.stiffness_z, carbody.mass"; },
        "s.xml:4: error: <study><vary>: secondary.stiffness_z and carbody.mass are of different kinds; tie them with "
        "kind=\"relative\"\n"},
@@ -157,6 +164,22 @@ TEST(BindStudy, WhatDoesNotFitTheVehicleIsTold) {
        "above=\"LOWER\" below=\"HIGHER\"\n"},
   };
   for (const Wrong& each : cases) EXPECT_EQ(problemsAfter(each.change), each.says);
+}
+
+TEST(BindStudy, ASpeedIsListedOrVariedAndNotBoth) {
+  Study made = springs();
+  made.varies = {test::list("speed", "30 km/h, 90 km/h")};
+  made.designs.clear();
+  made.plan.emplace();
+  made.plan->kind = PlanKind::kList;
+  made.plan->file = "designs.csv";
+  made.plan->origin = line(5);
+  const Vehicle vehicle = test::paperVehicle();
+  const std::vector<Scenario> scenarios = {test::waves("calm", 1e-3)};
+  EXPECT_EQ(bindStudy(made, vehicle, scenarios, {"speed"}).problems.text(),
+            "s.xml:5: error: <study><plan>: lists \"speed\", and a <vary> gives speeds that every design runs at; "
+            "remove one of them\n");
+  EXPECT_TRUE(bindStudy(made, vehicle, scenarios, {"carbody.mass"}).problems.empty());
 }
 
 TEST(BindStudy, ScenariosThatDisagreeOnAVariedNumberAreTold) {

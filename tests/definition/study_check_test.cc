@@ -49,6 +49,8 @@ Study searching() {
   made.varies[0].count.reset();
   made.search.emplace();
   made.search->origin = line(6);
+  made.metrics.push_back({"carbody.z.peak", line(9)});
+  made.objectives.push_back({"carbody.z.peak", Goal::kMinimise, Over::kWorst, line(10)});
   return made;
 }
 
@@ -176,7 +178,12 @@ TEST(CheckStudy, ASearchHasObjectivesRangesAndAPopulationItsMethodCanUse) {
   };
   EXPECT_EQ(
       after([](Study& made) { made.objectives.clear(); }),
-      "study.xml:6: error: <study><search>: has no objective; add <objective metric=\"...\" goal=\"minimise\"/>\n");
+      "study.xml:6: error: <study><search>: has no objective; a search weighs two or more; add <objective "
+      "metric=\"...\" goal=\"minimise\"/>\n");
+  EXPECT_EQ(
+      after([](Study& made) { made.objectives.resize(1); }),
+      "study.xml:6: error: <study><search>: has one objective; a search weighs two or more; add <objective "
+      "metric=\"...\" goal=\"minimise\"/>\n");
   EXPECT_EQ(after([](Study& made) { made.search->population = 50; }),
             "study.xml:6: error: <study><search>: population=\"50\"; nsga2 needs a multiple of 4, at least 8\n");
   EXPECT_EQ(after([](Study& made) {

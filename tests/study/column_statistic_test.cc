@@ -58,6 +58,7 @@ TEST(ColumnStatistic, ABandWithoutLineSaysWhy) {
   const std::vector<double> x(100, 1.0);
   EXPECT_THROW(static_cast<void>(statistic(metricOf("band(4.1..4.9 Hz)"), x, 0.01)), std::domain_error);
   EXPECT_THROW(static_cast<void>(statistic(metricOf("band(60..70 Hz)"), x, 0.01)), std::domain_error);
+  EXPECT_THROW(static_cast<void>(statistic(metricOf("band(1e19 Hz..1e20 Hz)"), x, 0.01)), std::domain_error);
 }
 
 TEST(ColumnStatistic, ExtremesAndPercentilesAreThoseOfTheSortedValues) {

@@ -153,7 +153,9 @@ TEST(DesignPlan, ASearchAsksForPlacesInTheUnitCube) {
   study.varies[0].count.reset();
   study.plan.reset();
   study.search.emplace();
-  study.objectives = {{"carbody.az.rms", Goal::kMinimise, Over::kWorst, {}}};
+  study.metrics = {{"carbody.az.rms", {}}, {"carbody.z.peak", {}}};
+  study.objectives = {{"carbody.az.rms", Goal::kMinimise, Over::kWorst, {}},
+                      {"carbody.z.peak", Goal::kMinimise, Over::kWorst, {}}};
   const DesignPlan plan = planOf(study);
   EXPECT_EQ(plan.size(), 3u);
   Values values(3);

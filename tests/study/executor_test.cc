@@ -1,7 +1,12 @@
 #include "libvehicle/study/execute/executor.h"
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -58,6 +63,34 @@ TEST(ThreadExecutor, AnyNumberOfThreadsGivesTheSameTable) {
     EXPECT_EQ(table.failures, reference.failures);
     EXPECT_EQ(table.repeated, 0);
   }
+}
+
+// Room for some threads' stacks and not for all: those that stand already must not be waited for.
+TEST(ThreadExecutor, AThreadThatTheSystemRefusesIsAnErrorAndNoHang) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizers reserve terabytes of addresses";
+#endif
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    ::alarm(20);
+    long pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t room = static_cast<rlim_t>(pages) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + (100u << 20);
+    const rlimit limit{room, room};
+    if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(2);
+    try {
+      Table table;
+      ThreadExecutor(200).run(FunctionEvaluator(3, 7, sines), {{{0, 100}}, {}}, table.sink(3));
+      ::_exit(1);
+    } catch (const std::exception&) {
+      ::_exit(0);
+    }
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status)) << "ended by the alarm";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST(ThreadExecutor, AFailedDesignIsReportedAlone) {

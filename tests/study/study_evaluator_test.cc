@@ -253,6 +253,42 @@ TEST(StudyEvaluator, RestAndModesAreMetricsToo) {
   EXPECT_GT(answers.metrics[1][3], answers.metrics[0][3]);  // a lighter carbody bounces faster
 }
 
+// Two wheels that change places change what "wheelset_1" means to columns that were looked up before.
+TEST(StudyEvaluator, ADesignThatReordersTheVehicleFailsWithTheReason) {
+  const Vehicle vehicle = paperVehicle();
+  const double ahead = vehicle.wheelsets[0].x;
+  const double behind = vehicle.wheelsets[1].x;
+  ASSERT_GT(ahead, behind);
+  for (const Evaluation evaluation : {Evaluation::kSteadyState, Evaluation::kRun}) {
+    Study study = studyOf(
+        {range("wheelset_1.x, primary_1.x", "1 m", "9 m"), range("wheelset_2.x, primary_2.x", "1 m", "9 m")},
+        {"wheelset_1.load.mean"});
+    study.evaluation = evaluation;
+    Scenario scenario = paperScenario(History::kExtended);
+    scenario.run.duration = 1.0;
+    const Answers answers = answersOf(inputsOf(study, vehicle, {scenario}),
+                                      {{ahead, ahead, behind, behind}, {behind, behind, ahead, ahead}});
+    ASSERT_EQ(answers.problems.size(), 1u);
+    EXPECT_EQ(answers.problems.at(1), "its bogies or wheelsets stand in another order than the base's; give that order "
+                                      "a vehicle file and a study of its own");
+  }
+}
+
+// A wave of 1 m at 39.6 km/h is 11 Hz, and 10.999999999999998 Hz by the floating-point way there.
+TEST(StudyEvaluator, AHarmonicOnABandsLimitIsInIt) {
+  Scenario scenario = paperScenario(History::kExtended);
+  scenario.track->harmonics = {harmonic(1.0, 1, 1e-3)};
+  const std::vector<std::string> metrics = {"carbody.az.rms", "carbody.az.band(11..12 Hz)",
+                                            "carbody.az.band(10..11 Hz)"};
+  Study study = studyOf({range("carbody.mass", "40 t", "60 t"), list("speed", "39.6 km/h")}, metrics);
+  study.evaluation = Evaluation::kSteadyState;
+  const Answers answers = answersOf(inputsOf(study, paperVehicle(), {scenario}), {{57e3}});
+  ASSERT_TRUE(answers.problems.empty()) << answers.problems.begin()->second;
+  EXPECT_GT(answers.metrics[0][0], 0.0);
+  EXPECT_WITHIN(answers.metrics[0][1] / answers.metrics[0][0], 1.0, 1e-14);
+  EXPECT_EQ(answers.metrics[0][2], 0.0);
+}
+
 TEST(StudyEvaluator, AModeThatIsNotThereNamesTheNearest) {
   const StudyInputs inputs =
       inputsOf(studyOf({range("carbody.mass", "40 t", "60 t")}, {"mode.carbody bouncy.frequency"}), paperVehicle(),

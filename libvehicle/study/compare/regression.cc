@@ -27,21 +27,27 @@ void Regression::add(std::span<const double> x, double y) {
   for (std::size_t i = 0; i < size; ++i) means_[i] += step_[i] / count;
 }
 
+// What rounding leaves of a constant is no variation.
+bool Regression::varies(std::size_t i) const {
+  constexpr double kRounding = 1e-24;
+  return moment(i, i) > kRounding * static_cast<double>(count_) * means_[i] * means_[i];
+}
+
 std::vector<double> Regression::correlations() const {
   const std::size_t y = means_.size() - 1;
   std::vector<double> all(y, 0.0);
   for (std::size_t i = 0; i < y; ++i) {
-    const double scale = std::sqrt(moment(i, i)) * std::sqrt(moment(y, y));
-    if (scale > 0.0) all[i] = std::clamp(moment(i, y) / scale, -1.0, 1.0);
+    if (!varies(i) || !varies(y)) continue;
+    all[i] = std::clamp(moment(i, y) / (std::sqrt(moment(i, i)) * std::sqrt(moment(y, y))), -1.0, 1.0);
   }
   return all;
 }
 
 std::optional<Regression::Fit> Regression::fit() const {
   const std::size_t y = means_.size() - 1;
-  if (y == 0 || count_ < y + 2 || !(moment(y, y) > 0.0)) return std::nullopt;
+  if (y == 0 || count_ < y + 2 || !varies(y)) return std::nullopt;
   for (std::size_t i = 0; i < y; ++i) {
-    if (!(moment(i, i) > 0.0)) return std::nullopt;
+    if (!varies(i)) return std::nullopt;
   }
   const auto correlation = [&](std::size_t i, std::size_t j) {
     return moment(i, j) / (std::sqrt(moment(i, i)) * std::sqrt(moment(j, j)));

@@ -32,6 +32,7 @@ class Regression {
   [[nodiscard]] std::optional<Fit> fit() const;
 
  private:
+  [[nodiscard]] bool varies(std::size_t i) const;
   [[nodiscard]] double moment(std::size_t i, std::size_t j) const { return moments_[i * means_.size() + j]; }
 
   std::uint64_t count_ = 0;

@@ -61,7 +61,8 @@ double ColumnStatistic::band(std::span<const double> values, double step, double
   const double line = 1.0 / (static_cast<double>(n) * step);  // [Hz] between two lines
   // A bound that is meant to be a line is one.
   constexpr double kSameLine = 1e-9;
-  const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(low / line - kSameLine)));
+  const double beyond = static_cast<double>(n / 2 + 1);  // no line; a bound far above may exceed every integer
+  const auto first = static_cast<std::size_t>(std::clamp(std::ceil(low / line - kSameLine), 0.0, beyond));
   double sum = 0.0;
   bool any = false;
   for (std::size_t k = first; 2 * k <= n && static_cast<double>(k) < high / line - kSameLine; ++k) {

@@ -131,7 +131,11 @@ std::optional<std::string> FlatDesigns::setLong(std::span<const double> values) 
   topology_ = topologyOf(vehicle_);
   FlatReading reading = readLayout(vehicle_, topology_);
   if (!reading.problems.empty()) return firstProblem(reading.problems);
-  layout_ = reading.layout;
+  // Columns are looked up once, by the layout of the base: another front bogie would answer for the first one.
+  if (!(reading.layout == layout_)) {
+    return "its bogies or wheelsets stand in another order than the base's; give that order a vehicle file and a study "
+           "of its own";
+  }
   return std::nullopt;
 }
 

@@ -41,7 +41,9 @@ double SteadyStatistic::operator()(const Metric& metric, double mean,
     case Statistic::kBand:
       if (metric.low == 0.0) sum = mean * mean;
       for (std::size_t f = 0; f < amplitudes.size(); ++f) {
-        const double frequency = angular_frequency_[f] / (2.0 * std::numbers::pi);
+        // A bound that is meant to be a harmonic's frequency is one, whatever the speed's conversion rounds to.
+        constexpr double kSameFrequency = 1.0 + 1e-9;
+        const double frequency = kSameFrequency * angular_frequency_[f] / (2.0 * std::numbers::pi);
         if (frequency >= metric.low && frequency < metric.high) sum += 0.5 * std::norm(amplitudes[f]);
       }
       return std::sqrt(sum);

@@ -1,6 +1,9 @@
 #include "libvehicle/study/execute/work_pool.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace vehicle {
@@ -11,10 +14,22 @@ WorkPool::WorkPool(const Evaluator& evaluator, int threads)
       given_(evaluator.given()),
       most_finished_(2 * static_cast<std::size_t>(threads) + 2) {
   for (int i = 0; i < threads; ++i) shares_.push_back(std::make_unique<Share>());
-  for (std::size_t i = 0; i < shares_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
+  try {
+    for (std::size_t i = 0; i < shares_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
+  } catch (const std::system_error& refused) {
+    const std::string number = std::to_string(threads_.size() + 1);
+    close();  // those that stand already wait for work, and would be waited for
+    throw std::runtime_error("thread " + number + " of " + std::to_string(threads) + " was refused by the system (" +
+                             refused.what() + "); take fewer threads");
+  } catch (...) {
+    close();
+    throw;
+  }
 }
 
-WorkPool::~WorkPool() {
+WorkPool::~WorkPool() { close(); }
+
+void WorkPool::close() {
   abandoned_ = true;
   {
     const std::lock_guard lock(mutex_);

@@ -61,6 +61,7 @@ class WorkPool {
     std::atomic<std::int64_t> designs = 0;  // in pieces; thieves look without the lock
   };
 
+  void close();
   void work(std::size_t self);
   bool claim(std::size_t self, Piece& piece);
   bool cutOwn(std::size_t self, Piece& piece);

@@ -80,10 +80,7 @@ std::string mapMisfit(const std::string& form, const std::string& method, int th
         "stages, halo or rows",
         map, scheme);
   }
-  if (threads == 1) {
-    return fmt::format("map {} on one thread, which computes all equations; leave the map away, or take more threads",
-                       map);
-  }
+  if (threads == 1) return {};  // one thread computes all equations, whatever the map
   if (std::string why = whyNotShared(form, method); !why.empty()) return why;
   const std::vector<Scheme> schemes = schemesOf(method);
   if (std::any_of(schemes.begin(), schemes.end(), sharesEquations)) return {};

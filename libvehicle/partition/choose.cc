@@ -166,7 +166,8 @@ class Choosing {
     budget_ = std::min(kMostSpent, kMostShare * made_.step * steps_);
     if (budget_ < kLeastUseful) return tooShort(made_.step * steps_);
     if (kLeastTrials * start_ + since(begin_) > budget_) {
-      return nameOf(first_) + ": a trial takes " + milliseconds(start_) + " before its first step, too long to try others";
+      return nameOf(first_) + ": a trial takes " + milliseconds(start_) +
+             " before its first step, too long to try others";
     }
     timeParts();
     std::vector<std::size_t> promising = mostPromising();

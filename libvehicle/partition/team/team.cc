@@ -8,6 +8,7 @@
 
 #include "libvehicle/partition/team/place_thread.h"
 #include "libvehicle/partition/team/placement.h"
+#include "libvehicle/partition/team/refused_thread.h"
 
 namespace vehicle {
 
@@ -41,9 +42,8 @@ class TeamRun {
     try {
       for (int i = 0; i < choice_.threads; ++i) threads.emplace_back([this, i] { live(i); });
     } catch (const std::system_error& refused) {
-      fail(std::make_exception_ptr(std::runtime_error("team: thread " + std::to_string(threads.size() + 1) + " of " +
-                                                      std::to_string(choice_.threads) + " was refused by the system (" +
-                                                      refused.what() + "); take fewer threads")));
+      fail(std::make_exception_ptr(
+          std::runtime_error("team: " + refusedThread(threads.size() + 1, choice_.threads, refused))));
     } catch (...) {  // those that stand already must be let go
       fail(std::current_exception());
     }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
+
+#include "libvehicle/partition/team/refused_thread.h"
 
 namespace vehicle {
 
@@ -17,10 +18,9 @@ WorkPool::WorkPool(const Evaluator& evaluator, int threads)
   try {
     for (std::size_t i = 0; i < shares_.size(); ++i) threads_.emplace_back([this, i] { work(i); });
   } catch (const std::system_error& refused) {
-    const std::string number = std::to_string(threads_.size() + 1);
+    const std::size_t number = threads_.size() + 1;
     close();  // those that stand already wait for work, and would be waited for
-    throw std::runtime_error("thread " + number + " of " + std::to_string(threads) + " was refused by the system (" +
-                             refused.what() + "); take fewer threads");
+    throw std::runtime_error(refusedThread(number, threads, refused));
   } catch (...) {
     close();
     throw;

@@ -32,10 +32,10 @@ class Gatherer {
 
   /// Keeps the text of a file, once. Why there is none, its reader tells.
   void keep(const std::string& path) {
-    if (!kept_.insert(fs::path(path).lexically_normal().string()).second) return;
+    const std::string name = fs::absolute(path).lexically_normal().lexically_relative(folder_).string();
+    if (!kept_.insert(name).second) return;
     const Outcome<std::string> text = readFile(path);
-    const fs::path near = fs::absolute(path).lexically_normal().lexically_relative(folder_);
-    if (text.value) texts_.push_back({near.empty() ? path : near.string(), *text.value});
+    if (text.value) texts_.push_back({name, *text.value});
   }
 
   void requireNone() {

@@ -56,22 +56,12 @@ TEST(FlatSplit, HalvesHaveTheRatesOfTheWholeAtRandomStates) {
   }
 }
 
-std::vector<std::complex<double>> eigenvaluesAbove(const System& system) {
-  const Eigen::VectorXcd all = test::eigenvaluesOf(system.linear()->A);
-  std::vector<std::complex<double>> above;
-  for (const auto& value : all) {
-    if (value.imag() > 0.0) above.push_back(value);
-  }
-  std::sort(above.begin(), above.end(), [](auto a, auto b) { return a.imag() < b.imag(); });
-  return above;
-}
-
 // Of the paper's four published modes two belong to bounce, two to pitch (docs/theory/errata.md); seven digits.
 TEST(FlatSplit, TheTwoHalvesShareThePapersFourModes) {
   const auto form = buildFlatForm(paperVehicle(), kGravity);
   const FlatSplit split(*form);
-  const auto bounce = eigenvaluesAbove(split.bounce());
-  const auto pitch = eigenvaluesAbove(split.pitch());
+  const auto bounce = test::oscillationsOf(split.bounce().linear()->A);
+  const auto pitch = test::oscillationsOf(split.pitch().linear()->A);
   ASSERT_EQ(bounce.size(), 2u);
   ASSERT_EQ(pitch.size(), 2u);
   EXPECT_WITHIN(std::abs(bounce[0] - std::complex(-0.883650, 7.932963)), 0.0, 1e-6);

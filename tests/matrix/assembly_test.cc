@@ -183,10 +183,7 @@ TEST(PublishedVehicles, HaveTheUndampedFrequenciesOfTheIndependentForm) {
 TEST(PublishedVehicles, HaveTheDampedFrequenciesOfTheIndependentForm) {
   for (const PublishedVehicle& published : publishedVehicles()) {
     const StateSpace matrices = buildMatrixForm(vehicleOf(published), kGravity)->linear().value();
-    const Eigen::VectorXcd all = test::eigenvaluesOf(matrices.A);
-    std::vector<std::complex<double>> upper;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(upper), [](const auto& each) { return each.imag() > 0.0; });
-    std::sort(upper.begin(), upper.end(), [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); });
+    const std::vector<std::complex<double>> upper = test::oscillationsOf(matrices.A);
     for (std::size_t i = 0; i < published.damped.size(); ++i) {
       EXPECT_WITHIN(std::abs(upper[i]) / (2 * std::numbers::pi), published.damped[i].first, 0.5e-4) << published.name;
       EXPECT_WITHIN(-upper[i].real() / std::abs(upper[i]), published.damped[i].second, 0.5e-4) << published.name;

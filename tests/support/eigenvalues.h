@@ -1,5 +1,8 @@
 #pragma once
 
+#include <complex>
+#include <vector>
+
 #include <Eigen/Core>
 
 // Eigen's solvers take the compiler seconds, under sanitizers half a minute: compiled once a program, in
@@ -7,6 +10,9 @@
 namespace vehicle::test {
 
 Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& A);
+
+/// Of each conjugate pair the one with positive imaginary part, sorted by size.
+std::vector<std::complex<double>> oscillationsOf(const Eigen::MatrixXd& A);
 
 /// Of a symmetric matrix, ascending.
 Eigen::VectorXd symmetricEigenvaluesOf(const Eigen::MatrixXd& A);

@@ -67,7 +67,8 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
           "table | csv | json, on stdout; csv holds the tables only   (default: table)")
       ->type_name("NAME")
       ->check(oneOf({"table", "csv", "json"}));
-  command.add_flag("--quiet", options.quiet, "no progress and no remarks on stderr; errors remain");
+  command.add_flag("--quiet", options.quiet, "no progress and no notes on stderr; warnings and errors remain");
+  command.add_flag("--strict", options.strict, "exit status 4 where there is a warning   (default: warnings only print)");
 }
 
 CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension dimension, const std::string& help,

@@ -13,10 +13,11 @@
 
 namespace vehicle::cli {
 
-/// What every command takes: --format and --quiet.
+/// What every command takes: --format, --quiet and --strict.
 struct CommonOptions {
   Format format = Format::kTable;
-  bool quiet = false;
+  bool quiet = false;   // no progress, no notes
+  bool strict = false;  // a warning makes exit status 4
 };
 void addCommonOptions(CLI::App& command, CommonOptions& options);
 

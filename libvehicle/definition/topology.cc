@@ -61,6 +61,7 @@ class Builder {
   void addBody(const Body& body) {
     TopologyBody made;
     made.name = body.name;
+    made.origin = body.origin;
     made.mass = body.mass;
     made.pitch_inertia = body.pitch_inertia.value_or(0.0);
     made.x = absolute(body);
@@ -75,6 +76,7 @@ class Builder {
   void addWheelset(const Wheelset& wheelset) {
     TopologyWheelset made;
     made.name = wheelset.name;
+    made.origin = wheelset.origin;
     made.x = absolute(wheelset);
     made.z = wheelset.z.value_or(0.0);
     made.mass = wheelset.mass.value_or(0.0);
@@ -90,6 +92,7 @@ class Builder {
     const auto& element = vehicle_.elements[static_cast<std::size_t>(placeIn(elements_, suspension.element))];
     TopologySuspension made;
     made.name = suspension.name;
+    made.origin = suspension.origin;
     made.stiffness = suspension.sides * element.stiffness_z;
     made.damping = suspension.sides * element.damping_z;
     made.x = absolute(suspension);

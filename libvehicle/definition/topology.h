@@ -17,6 +17,7 @@ namespace vehicle {
 
 struct TopologyBody {
   std::string name;
+  Origin origin;               // where the file says it; a group's or train's parts know their own file
   double mass = 0.0;           // [kg]
   double pitch_inertia = 0.0;  // [kg m^2]; 0 where it does not pitch and none is given
   double x = 0.0;              // [m] absolute
@@ -27,6 +28,7 @@ struct TopologyBody {
 
 struct TopologyWheelset {
   std::string name;
+  Origin origin;
   double x = 0.0;     // [m] absolute
   double z = 0.0;     // [m]; 0 without heights
   double mass = 0.0;  // [kg]; 0: none given
@@ -40,6 +42,7 @@ struct TopologyWheelset {
 /// A suspension: both sides together.
 struct TopologySuspension {
   std::string name;
+  Origin origin;
   double stiffness = 0.0;  // [N/m]   sides x element
   double damping = 0.0;    // [N s/m]
   int upper = -1;          // body

@@ -93,9 +93,10 @@ Eigen::VectorXd solve(const Balance& balance) {
   return scale.asDiagonal() * solution;
 }
 
-/// A topology does not know lines, so the part is told by its name.
-Problem problem(const char* kind, const std::string& name, std::string message, std::string remedy) {
-  return {{}, std::string("<vehicle><") + kind + " name=\"" + name + "\">", std::move(message), std::move(remedy)};
+template <class Part>
+Problem problem(const char* kind, const Part& part, std::string message, std::string remedy) {
+  return {part.origin, std::string("<vehicle><") + kind + " name=\"" + part.name + "\">", std::move(message),
+          std::move(remedy)};
 }
 
 /// What acts on each coordinate that nothing takes up, told with the part's name.
@@ -107,19 +108,19 @@ ProblemList uncarried(const Topology& topology, const Balance& balance, const Ei
   ProblemList problems;
   for (const TopologyBody& body : topology.bodies) {
     if (open(body.z_index)) {
-      problems.add(problem("body", body.name,
+      problems.add(problem("body", body,
                            "springs and preloads leave a vertical force of " + number(left[body.z_index]) +
                                " N at rest; the weight must be carried", kRemedy));
     }
     if (open(body.pitch_index)) {
-      problems.add(problem("body", body.name,
+      problems.add(problem("body", body,
                            "springs and preloads leave a pitch moment of " + number(left[body.pitch_index]) +
                                " N m at rest; moments must balance", kRemedy));
     }
   }
   for (const TopologyWheelset& wheelset : topology.wheelsets) {
     if (open(wheelset.z_index)) {
-      problems.add(problem("wheelset", wheelset.name,
+      problems.add(problem("wheelset", wheelset,
                            "springs and preloads leave a vertical force of " + number(left[wheelset.z_index]) +
                                " N at rest; the weight must be carried", kRemedy));
     }
@@ -145,12 +146,12 @@ ProblemList wheelsOffTheRail(const Topology& topology, const std::vector<double>
   for (std::size_t j = 0; j < wheel_load.size(); ++j) {
     const TopologyWheelset& wheelset = topology.wheelsets[j];
     if (wheel_load[j] < -kBalance * total) {
-      problems.add(problem("wheelset", wheelset.name,
+      problems.add(problem("wheelset", wheelset,
                            "its static wheel load would be " + number(wheel_load[j]) +
                                " N; a rail can only push",
                            "move the centre of gravity between the wheelsets, or give its load"));
     } else if (wheelset.z_index >= 0 && !wheelset.contact_stiffness && !(wheel_load[j] > kBalance * total)) {
-      problems.add(problem("wheelset", wheelset.name,
+      problems.add(problem("wheelset", wheelset,
                            "a Hertz contact without static load has no stiffness",
                            "set gravity > 0, or give its load or contact_stiffness"));
     }

@@ -2,7 +2,7 @@
 _vehicle() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
   local commands="check info simulate modes validate profile study schema"
-  local common="--help --format --quiet"
+  local common="--help --format --quiet --strict"
   local settings="--speed --step --rtol --atol --accuracy"
   local forms="flat matrix mbs-linear mbs flat-7-printed flat-literal flat-literal-mb"
   local methods="rk4 dopri5 exact simbody_rkm rk4_split exact_split"

@@ -1,0 +1,49 @@
+#include "apps/cli/remarks.h"
+
+#include <iostream>
+#include <utility>
+
+namespace vehicle::cli {
+
+void printNote(const std::string& text, const CommonOptions& common) {
+  if (!common.quiet) std::cerr << "note: " << text << '\n';
+}
+
+void printWarnings(const Warnings& warnings) {
+  for (const Warning& each : warnings) std::cerr << each.text() << '\n';
+}
+
+ExitStatus statusAfter(const Warnings& warnings, const CommonOptions& common) {
+  return common.strict && !warnings.empty() ? kCheckDidNotHold : kDone;
+}
+
+Table warningTable(const Warnings& warnings) {
+  Table table{"warnings",
+              {{"code", ""},
+               {"file", ""},
+               {"line", ""},
+               {"subject", ""},
+               {"value", ""},
+               {"unit", ""},
+               {"time", "s"},
+               {"message", ""}},
+              {}};
+  for (const Warning& each : warnings) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.emplace_back(std::string(wordOf(each.code)));
+    row.emplace_back(each.place.file);
+    row.emplace_back(static_cast<long>(each.place.line));
+    row.emplace_back(each.subject);
+    addCell(row, each.value);
+    row.emplace_back(each.unit);
+    addCell(row, each.time);
+    row.emplace_back(each.remedy.empty() ? each.message : each.message + "; " + each.remedy);
+  }
+  return table;
+}
+
+void addWarnings(const Warnings& warnings, const CommonOptions& common, Document& document) {
+  if (common.format != Format::kTable) document.tables.push_back(warningTable(warnings));
+}
+
+}  // namespace vehicle::cli

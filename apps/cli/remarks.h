@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "apps/cli/document.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/options.h"
+#include "libvehicle/diagnostics/warning.h"
+
+namespace vehicle::cli {
+
+/// A choice that the program made for the user, on stderr: "note: ...". It is never an error; --quiet leaves it out.
+void printNote(const std::string& text, const CommonOptions& common);
+
+/// Warnings, one line each on stderr, --quiet or not.
+void printWarnings(const Warnings& warnings);
+
+/// The status of a command that has done its work: with --strict a warning makes it a check that did not hold.
+[[nodiscard]] ExitStatus statusAfter(const Warnings& warnings, const CommonOptions& common);
+
+/// The same for csv and json: {code, file, line, subject, value, unit, time, message}; no rows without warnings.
+[[nodiscard]] Table warningTable(const Warnings& warnings);
+
+/// Adds warningTable() to what goes to stdout; a table for people has them on stderr already.
+void addWarnings(const Warnings& warnings, const CommonOptions& common, Document& document);
+
+}  // namespace vehicle::cli

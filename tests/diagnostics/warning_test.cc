@@ -1,0 +1,37 @@
+#include "libvehicle/diagnostics/warning.h"
+
+#include <cctype>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace vehicle {
+namespace {
+
+TEST(Warning, TextIsOneLineWithPlaceSubjectRemedyAndCode) {
+  Warning warning;
+  warning.code = WarningCode::kWheelLoad;
+  warning.subject = "axle.load";
+  warning.message = "-129 kN at t = 0.53 s; a rail only pushes";
+  EXPECT_EQ(warning.text(), "warning: axle.load: -129 kN at t = 0.53 s; a rail only pushes [WHEEL_LOAD]");
+  warning.place = {"wagon.xml", 7};
+  warning.remedy = "run slower";
+  EXPECT_EQ(warning.text(),
+            "wagon.xml:7: warning: axle.load: -129 kN at t = 0.53 s; a rail only pushes; run slower [WHEEL_LOAD]");
+}
+
+TEST(WarningKinds, StandInTheOrderOfTheirCodesAndHaveAWordAndASentenceEach) {
+  std::set<std::string_view> words;
+  int code = 0;
+  for (const WarningKind& kind : warningKinds()) {
+    EXPECT_EQ(static_cast<int>(kind.code), code++);
+    EXPECT_EQ(wordOf(kind.code), kind.word);
+    EXPECT_TRUE(words.insert(kind.word).second) << kind.word;
+    EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.word;
+    for (const char c : kind.word) EXPECT_TRUE(c == '_' || std::isupper(static_cast<unsigned char>(c))) << kind.word;
+  }
+}
+
+}  // namespace
+}  // namespace vehicle

@@ -1,27 +1,21 @@
 #include "apps/cli/history_table.h"
 
-#include <algorithm>
-#include <cmath>
+#include "apps/cli/study_units.h"
 
 namespace vehicle::cli {
 
-Table historyTable(const TimeHistory& history) {
-  Table table{
-      "columns", {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"rms", ""}}, {}};
-  for (std::size_t j = 1; j < history.columns().size(); ++j) {
-    double low = history.at(0, j), high = low, peak = std::abs(low), at = history.at(0, 0), squares = 0.0;
-    for (std::size_t i = 0; i < history.samples(); ++i) {
-      const double value = history.at(i, j);
-      low = std::min(low, value);
-      high = std::max(high, value);
-      squares += value * value;
-      if (std::abs(value) > peak) {
-        peak = std::abs(value);
-        at = history.at(i, 0);
-      }
-    }
-    const double rms = std::sqrt(squares / static_cast<double>(history.samples()));
-    table.rows.push_back({history.columns()[j].name, history.columns()[j].unit, low, high, peak, at, rms});
+Table historyTable(const std::vector<Channel>& columns, const std::vector<ColumnSummary>& summaries, Format format) {
+  Table table{"columns",
+              {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"mean", ""}, {"rms", ""}},
+              {}};
+  for (std::size_t j = 0; j < summaries.size(); ++j) {
+    const ColumnSummary& summary = summaries[j];
+    const Channel& column = columns[j + 1];
+    ShownUnit unit{column.unit, 1.0};
+    if (format == Format::kTable) unit = shownUnit(column.unit, summary.peak());
+    table.rows.push_back({column.name, unit.name, unit.factor * summary.lowest, unit.factor * summary.highest,
+                          unit.factor * summary.peak(), summary.peakAt(), unit.factor * summary.mean,
+                          unit.factor * summary.rms});
   }
   return table;
 }

@@ -107,7 +107,7 @@ void addRunSettings(CLI::App& command, RunChoice& choice) {
               "running speed, e.g. \"20 m/s\", \"72 km/h\"   (default: from SCENARIO)",
               [&choice](double value) { choice.speed = value; });
   addQuantity(command, "--step", Dimension::kTime,
-              "rk4: largest step, shortened to end on samples and kinks   (default: \"1 ms\")",
+              "rk4: largest step, shortened to end on samples and breakpoints of the rail\n(default: \"1 ms\", or less as the fastest motion asks)",
               [&choice](double value) { choice.step = value; });
   addQuantity(command, "--rtol", Dimension::kNumber, "dopri5: relative tolerance   (default: 1e-10)",
               [&choice](double value) { choice.relative = value; });

@@ -7,6 +7,7 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/profile_tables.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/remarks.h"
 
 namespace vehicle::cli {
 
@@ -51,8 +52,10 @@ int profileByTheClock(const Model& model, const RunChoice& choice, double period
   Document document = documentOf(run, period);
   const std::vector<Fact> names = namesOf(model, run.form, "rk4", run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
+  addWarnings(run.warnings, common, document);
   print(document, common.format, std::cout);
-  if (!run.report.stopped) return kDone;
+  printWarnings(run.warnings);
+  if (!run.report.stopped) return statusAfter(run.warnings, common);
   std::cerr << fmt::format("vehicle: interrupted after {} of {} steps; the figures above end there\n", run.report.steps,
                            run.steps);
   return kInterrupted;

@@ -15,7 +15,9 @@ double secondsSince(std::chrono::steady_clock::time_point begin) {
 
 /// One run; its time a step goes to `times` unless it was ended early.
 RunResult timed(const Model& model, const RunChoice& choice, StepTimes& times, const Progress& progress) {
-  RunResult result = simulate(model.vehicle, model.scenario, choice, progress);
+  RunChoice timed = choice;
+  timed.measures = false;  // the steps are what is timed
+  RunResult result = simulate(model.vehicle, model.scenario, timed, progress);
   if (!result.statistics.stopped && result.statistics.steps > 0) {
     times.seconds.push_back(result.wall_seconds / static_cast<double>(result.statistics.steps));
   }

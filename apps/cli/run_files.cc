@@ -34,7 +34,7 @@ RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice&
                        {"speed", fmt::format("{} m/s", result.speed)},
                        {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
   if (result.method == "rk4" || result.method == "rk4_split") {
-    record.attributes.emplace_back("step", fmt::format("{} s", choice.step));
+    record.attributes.emplace_back("step", fmt::format("{} s", result.step));
   }
   if (result.method == "dopri5") {
     record.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
@@ -47,6 +47,10 @@ RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice&
   record.attributes.emplace_back("evaluations", fmt::format("{}", result.statistics.evaluations));
   record.attributes.emplace_back("rejected steps", fmt::format("{}", result.statistics.rejected));
   record.attributes.emplace_back("ended early", result.statistics.stopped ? "yes" : "no");
+  record.attributes.emplace_back("warnings", fmt::format("{}", result.warnings.size()));
+  for (std::size_t i = 0; i < result.warnings.size(); ++i) {
+    record.attributes.emplace_back(fmt::format("warning {}", i + 1), result.warnings[i].text());
+  }
   std::vector<std::string> inputs = {files.vehicle, files.scenario};
   // A train's parts come from other files.
   for (const Body& body : model.vehicle.bodies) {

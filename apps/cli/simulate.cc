@@ -12,6 +12,7 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/remarks.h"
 #include "apps/cli/run_files.h"
 #include "apps/cli/thread_options.h"
 
@@ -32,11 +33,11 @@ int simulateAndStore(const Options& options) {
   RunResult result;
   {
     ProgressBar bar(shown, durationOf(model.scenario), "s");
-    result = simulate(model.vehicle, model.scenario, options.choice,
+    RunChoice choice = options.choice;
+    choice.keep = options.outputs.empty() ? Keep::kNothing : Keep::kOutputs;
+    result = simulate(model.vehicle, model.scenario, choice,
                       [&](double share) { return bar.update(share, "simulate"); });
   }
-  const TimeHistory& history = result.history;
-  const double reached = history.at(history.samples() - 1, 0);
   const RunRecord record = recordOf(options.files, model, options.choice, result);
   for (const std::string& output : options.outputs) writeHistory(output, record);
 
@@ -47,19 +48,23 @@ int simulateAndStore(const Options& options) {
                     {"method", result.method, ""},
                     {"speed", result.speed, "m/s"}};
   for (Fact& fact : sharingFacts(result)) document.facts.push_back(std::move(fact));
-  document.facts.insert(document.facts.end(), {{"end of run", reached, "s"},
-                                               {"samples", static_cast<long>(history.samples()), ""},
+  document.facts.insert(document.facts.end(), {{"end of run", result.reached, "s"},
+                                               {"samples", result.outputs, ""},
                                                {"steps", result.statistics.steps, ""},
                                                {"evaluations", result.statistics.evaluations, ""},
                                                {"rejected steps", result.statistics.rejected, ""},
                                                {"run time", result.wall_seconds, "s"}});
-  document.tables = {decisionTable(result.decision), historyTable(history)};
+  document.tables = {decisionTable(result.decision),
+                     historyTable(result.history.columns(), result.summaries, options.common.format)};
+  addWarnings(result.warnings, options.common, document);
   print(document, options.common.format, std::cout);
+  for (const std::string& note : result.notes) printNote(note, options.common);
+  printWarnings(result.warnings);
   for (const std::string& output : options.outputs) {
     if (!options.common.quiet) std::cerr << fmt::format("written: {}\n", output);
   }
-  if (!result.statistics.stopped) return kDone;
-  std::cerr << fmt::format("vehicle: interrupted at t = {:.6g} s; the columns above{} end there\n", reached,
+  if (!result.statistics.stopped) return statusAfter(result.warnings, options.common);
+  std::cerr << fmt::format("vehicle: interrupted at t = {:.6g} s; the columns above{} end there\n", result.reached,
                            options.outputs.empty() ? "" : " and the files written");
   return kInterrupted;
 }
@@ -94,7 +99,8 @@ Action addSimulate(CLI::App& program) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addCommonOptions(*command, options->common);
   command->footer(
-      "Prints a summary of every column in the format chosen; whole histories go to --output.\n"
+      "Prints a summary of every column in the format chosen; whole histories go to --output. Peaks and r.m.s. are of\n"
+      "the motion itself, followed as closely as it asks for, whatever the output step.\n"
       "Threads change the time that a run takes and no bit of its result.\n"
       "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
       "             --speed \"72 km/h\" --output run.h5 --output run.csv");

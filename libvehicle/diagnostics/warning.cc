@@ -20,6 +20,8 @@ constexpr std::array kKinds = {
                 "At this step the method grows although the vehicle does not. Take a shorter step or leave --step out."},
     WarningKind{WarningCode::kCoarseStep, "COARSE_STEP",
                 "The step does not resolve the fastest motion of the vehicle. Take a shorter step or leave --step out."},
+    WarningKind{WarningCode::kCoarseSamples, "COARSE_SAMPLES",
+                "The run is so long that its fastest motion is not measured with enough samples: peaks may be too small."},
     WarningKind{WarningCode::kCannotStand, "CANNOT_STAND",
                 "The loaded rest position is unstable: a small push is enough and the vehicle tips over. Look at heights "
                 "and stiffnesses."},

@@ -17,6 +17,7 @@ enum class WarningCode {
   kLargeMotion,     // beyond the small angles and travels of linear kinematics
   kUnstableStep,    // an explicit step at which the method itself grows
   kCoarseStep,      // a step that does not resolve the fastest motion
+  kCoarseSamples,   // a run so long that its fastest motion cannot be measured
   kCannotStand,     // the loaded rest position is unstable
   kUnstableMode,    // a motion that grows by itself
   kFreeMode,        // a motion without stiffness

@@ -55,6 +55,7 @@ BlockRows::BlockRows(std::span<const EnsembleDesign> designs, std::span<const in
       masses_(offset(blocks_, kMassRows)),
       state_(offset(blocks_, kStateRows)),
       metrics_(offset(blocks_, columns * kMetricRows)),
+      range_(offset(blocks_, kRangeRows)),
       failed_(offset(blocks_, 1)) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto width = static_cast<std::size_t>(lanes);
@@ -81,6 +82,7 @@ BlockRows::BlockRows(std::span<const EnsembleDesign> designs, std::span<const in
         set(metrics_, columns * kMetricRows, k * kMetricRows + 2, kInfinity);
         set(metrics_, columns * kMetricRows, k * kMetricRows + 3, -kInfinity);
       }
+      set(range_, kRangeRows, 0, kInfinity);
       set(failed_, 1, 0, kInfinity);
     }
   }
@@ -95,6 +97,7 @@ Block BlockRows::block(int index) {
           .extra = extra_.data() + offset(index, kExtraRows),
           .state = state_.data() + offset(index, kStateRows),
           .metrics = metrics_.data() + offset(index, columns_ * kMetricRows),
+          .range = range_.data() + offset(index, kRangeRows),
           .failed = failed_.data() + offset(index, 1),
           .stored = nullptr};
 }
@@ -105,7 +108,8 @@ SteadyBlock BlockRows::steadyBlock(int index) {
           .masses = masses_.data() + offset(index, kMassRows),
           .motion = nullptr,
           .amplitude = nullptr,
-          .metrics = metrics_.data() + offset(index, columns_ * kMetricRows)};
+          .metrics = metrics_.data() + offset(index, columns_ * kMetricRows),
+          .range = range_.data() + offset(index, kRangeRows)};
 }
 
 double BlockRows::metric(int lane, int column, int metric) const {
@@ -113,6 +117,11 @@ double BlockRows::metric(int lane, int column, int metric) const {
   return metrics_[offset(lane / lanes_, columns_ * kMetricRows) +
                   static_cast<std::size_t>(row) * static_cast<std::size_t>(lanes_) +
                   static_cast<std::size_t>(lane % lanes_)];
+}
+
+double BlockRows::range(int lane, int row) const {
+  return range_[offset(lane / lanes_, kRangeRows) + static_cast<std::size_t>(row) * static_cast<std::size_t>(lanes_) +
+                static_cast<std::size_t>(lane % lanes_)];
 }
 
 double BlockRows::failedAt(int lane) const { return failed_[static_cast<std::size_t>(lane)]; }

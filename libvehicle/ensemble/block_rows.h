@@ -39,8 +39,6 @@ class ColumnChoice {
   explicit ColumnChoice(std::span<const FlatColumn> columns);
   [[nodiscard]] Choice get() const;
   [[nodiscard]] int count() const { return static_cast<int>(columns_.size()); }
-  /// Whether any of them reads the rail.
-  [[nodiscard]] bool readsRail() const { return flags_.accelerations || flags_.wheels || flags_.points; }
 
  private:
   std::vector<int> columns_;
@@ -64,6 +62,8 @@ class BlockRows {
 
   /// One number of what was gathered. @param lane  0 .. used() - 1   @param metric  0 .. kMetricRows - 1
   [[nodiscard]] double metric(int lane, int column, int metric) const;
+  /// @param row  of kRangeRows
+  [[nodiscard]] double range(int lane, int row) const;
   /// Number of the first sample that is not finite, or infinity.
   [[nodiscard]] double failedAt(int lane) const;
 
@@ -71,7 +71,7 @@ class BlockRows {
   [[nodiscard]] std::size_t offset(int block, int rows) const;
 
   int lanes_, used_, columns_, blocks_;
-  AlignedDoubles coefficients_, extra_, masses_, state_, metrics_, failed_;
+  AlignedDoubles coefficients_, extra_, masses_, state_, metrics_, range_, failed_;
 };
 
 }  // namespace vehicle::ensemble

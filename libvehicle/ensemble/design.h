@@ -24,6 +24,10 @@ struct EnsembleDesign {
   std::array<double, kMostPoints> point_arm{};  // [m] measuring points ahead of the carbody's centre of gravity
 };
 
+/// Beyond that the linear equations do not hold (LARGE_MOTION): carbody pitch [rad], travel of a suspension [m].
+inline constexpr double kMostFlatPitch = 0.1;
+inline constexpr double kMostFlatTravel = 0.5;
+
 /// Any column of a result of the flat form, parts counted from the front. The measuring points on the carbody follow:
 /// pointColumn().
 enum class FlatColumn : int {

@@ -32,22 +32,33 @@ std::string text(double value) {
   return out.str();
 }
 
-int firstCounted(const EnsembleRun& run) {
+Sampling samplingOf(const EnsembleRun& run) {
   if (!(run.settle >= 0.0) || !std::isfinite(run.settle)) {
     throw std::invalid_argument("ensemble: settle = " + text(run.settle) + " s, must be finite and >= 0");
   }
-  return vehicle::firstCounted(run.settle, run.output_step);
+  Sampling sampling{.output_step = run.output_step, .fastest = run.fastest, .steps = run.steps};
+  if (run.settle > 0.0 && run.output_step > 0.0) {
+    sampling.count_from = SampleGrid(0.0, run.output_step).time(firstCounted(run.settle, run.output_step));
+  }
+  return sampling;
 }
 
-void checkRail(const Input& rail, const Schedule& schedule, const EnsembleRun& run) {
+/// Number of the first point of the regular grid that counts.
+int firstPoint(const EnsembleRun& run, int cut) { return firstCounted(run.settle, run.output_step) * cut; }
+
+Schedule scheduleOf(const Input& rail, const EnsembleRun& run) {
   if (rail.channels() != 4) {
     throw std::invalid_argument("ensemble: the rail has " + std::to_string(rail.channels()) +
                                 " channels, must have 4, one a wheelset");
   }
-  if (firstCounted(run) >= schedule.samples()) {
-    throw std::invalid_argument("ensemble: settle = " + text(run.settle) + " s leaves no sample of a run of " +
-                                text((schedule.samples() - 1) * run.output_step) + " s; settle less or run longer");
+  const Sampling sampling = samplingOf(run);
+  Schedule schedule(rail, sampling);
+  const double length = rail.end() - rail.begin();
+  if (sampling.count_from >= length * (1.0 - kSameInstant)) {
+    throw std::invalid_argument("ensemble: settle = " + text(run.settle) + " s leaves nothing of a run of " +
+                                text(length) + " s; settle less or run longer");
   }
+  return schedule;
 }
 
 void checkIsa(Isa isa) {
@@ -71,17 +82,20 @@ std::vector<int> range(int first, int count) {
 }
 
 // What was gathered of some designs, as means and extremes.
-// @param counted  samples that count, of each   @param time  of a sample, of each
-template <class Counted, class Time>
-void summarise(const BlockRows& rows, int first, int columns, const Counted& counted, const Time& time,
+// @param measured  [s] that counts, of each   @param time  of a sample, of each
+template <class Measured, class Time>
+void summarise(const BlockRows& rows, int first, int columns, const Measured& measured, const Time& time,
                EnsembleResult& result) {
   for (int i = 0; i < rows.used(); ++i) {
-    const double n = counted(i);
+    const double length = measured(i);
+    result.extents[static_cast<std::size_t>(first + i)] = {rows.range(i, 0), rows.range(i, 1)};
     bool finite = true;
     ColumnSummary* summaries =
         result.summaries.data() + static_cast<std::size_t>(first + i) * static_cast<std::size_t>(columns);
     for (int k = 0; k < columns; ++k) {
-      summaries[k] = {rows.metric(i, k, 0) / n, std::sqrt(rows.metric(i, k, 1) / n), rows.metric(i, k, 2),
+      // Rounding may leave less than nothing of a column of zeros; NaN stays NaN.
+      const double square = rows.metric(i, k, 1) / length;
+      summaries[k] = {rows.metric(i, k, 0) / length, std::sqrt(square < 0.0 ? 0.0 : square), rows.metric(i, k, 2),
                       rows.metric(i, k, 3)};
       finite = finite && std::isfinite(summaries[k].mean) && std::isfinite(summaries[k].rms);
     }
@@ -92,6 +106,7 @@ void summarise(const BlockRows& rows, int first, int columns, const Counted& cou
     result.failures.push_back({first + i, time(i, sample)});
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     std::fill_n(summaries, columns, ColumnSummary{kNan, kNan, kNan, kNan});
+    result.extents[static_cast<std::size_t>(first + i)] = {};
   }
 }
 
@@ -127,9 +142,9 @@ class OwnRails {
         run_(run),
         store_(store),
         columns_(run.columns),
-        kernels_(ensemble::kernelsOf(run.isa)),
-        first_counted_(firstCounted(run)) {
+        kernels_(ensemble::kernelsOf(run.isa)) {
     result_.summaries.resize(designs.size() * run.columns.size());
+    result_.extents.resize(designs.size());
   }
 
   EnsembleResult run() {
@@ -154,18 +169,24 @@ class OwnRails {
     const Input* rail = rails_[static_cast<std::size_t>(design)];
     std::unique_ptr<ensemble::LanePlan>& plan = plans_[rail];
     if (!plan) {
-      const Schedule schedule(*rail, run_.output_step);
-      checkRail(*rail, schedule, run_);
-      plan = std::make_unique<ensemble::LanePlan>(*rail, schedule, run_.step);
+      plan = std::make_unique<ensemble::LanePlan>(*rail, scheduleOf(*rail, run_), run_.step);
+      if (cut_ == 0) cut_ = plan->cut;
+      if (plan->cut != cut_) {
+        throw std::invalid_argument("ensemble: an output step has " + std::to_string(plan->cut) + " points over one rail, " +
+                                    std::to_string(cut_) + " over another; run them apart");
+      }
+      first_stored_ = firstPoint(run_, cut_);
     }
     return *plan;
   }
+
+  [[nodiscard]] int storedOf(const ensemble::LanePlan& plan) const { return plan.points - first_stored_; }
 
   // A batch that stores is as large as its longest history lets it be.
   Batch batchFrom(int first, int total) {
     Batch batch{first, 0, 0};
     while (first + batch.count < total) {
-      const int room = std::max(batch.longest, planOf(first + batch.count).samples - first_counted_);
+      const int room = std::max(batch.longest, storedOf(planOf(first + batch.count)));
       if (batch.count > 0 && batch.count >= batchOf(run_, kernels_.lanes, room, static_cast<bool>(store_))) break;
       batch.longest = room;
       ++batch.count;
@@ -181,15 +202,15 @@ class OwnRails {
     std::vector<int> samples;
     for (int i = 0; i < batch.count; ++i) {
       const ensemble::LanePlan& plan = planOf(batch.first + i);
-      samples.push_back(plan.samples - first_counted_);
+      samples.push_back(storedOf(plan));
       for (const auto& piece : plan.pieces) result_.steps += static_cast<long>(piece.steps) * piece.stretches;
     }
-    const auto counted = [&](int i) { return samples[static_cast<std::size_t>(i)]; };
+    const auto measured = [&](int i) { return planOf(batch.first + i).measured; };
     const auto time = [&](int i, int sample) {
       const ensemble::LanePlan& plan = planOf(batch.first + i);
-      return plan.time(sample >= 0 ? sample : plan.samples - 1);
+      return plan.time(sample >= 0 ? sample : plan.points - 1);
     };
-    summarise(rows, batch.first, columns_.count(), counted, time, result_);
+    summarise(rows, batch.first, columns_.count(), measured, time, result_);
     storage.handOut(store_, batch.first, samples);
   }
 
@@ -203,7 +224,7 @@ class OwnRails {
     }
     Block block = rows.block(index);
     block.stored = storage.of(index);
-    ensemble::LaneRun(plans, vehicles).run(kernels_, block, columns_.get(), first_counted_);
+    ensemble::LaneRun(plans, vehicles).run(kernels_, block, columns_.get(), first_stored_);
   }
 
   std::span<const EnsembleDesign> designs_;
@@ -212,7 +233,8 @@ class OwnRails {
   const StoredBlockSink& store_;
   ColumnChoice columns_;
   const ensemble::Kernels& kernels_;
-  int first_counted_;
+  int cut_ = 0;           // points of an output step
+  int first_stored_ = 0;  // point
   std::map<const Input*, std::unique_ptr<ensemble::LanePlan>> plans_;  // of the batch, one a distinct rail
   EnsembleResult result_;
 };
@@ -220,7 +242,6 @@ class OwnRails {
 }  // namespace
 
 int firstCounted(double settle, double output_step) {
-  constexpr double kSameInstant = 1e-9;  // of an output step
   return static_cast<int>(std::min(std::ceil(settle / output_step - kSameInstant), 1e9));
 }
 
@@ -229,26 +250,29 @@ void StoredBlock::copyColumn(int design, int column, std::vector<double>& values
   for (int i = 0; i < samples(design); ++i) values[static_cast<std::size_t>(i)] = at(design, column, i);
 }
 
+int ensembleCut(const Input& rail, const EnsembleRun& run) { return Schedule(rail, samplingOf(run)).cut(); }
+
 EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, const Input& rail, const EnsembleRun& run,
                            const StoredBlockSink& store) {
   checkIsa(run.isa);
-  const Schedule schedule(rail, run.output_step);
-  checkRail(rail, schedule, run);
+  const Schedule schedule = scheduleOf(rail, run);
   const ColumnChoice columns(run.columns);
   const Choice choice = columns.get();
   const ensemble::Kernels& kernels = ensemble::kernelsOf(run.isa);
-  const int first_counted = firstCounted(run);
-  const int counted = schedule.samples() - first_counted;
+  const ensemble::LanePlan grid(rail, schedule, run.step);
+  const int first_stored = firstPoint(run, schedule.cut());
+  const int stored = grid.points - first_stored;
   const int total = static_cast<int>(designs.size());
-  const int batch = batchOf(run, kernels.lanes, counted, static_cast<bool>(store));
+  const int batch = batchOf(run, kernels.lanes, stored, static_cast<bool>(store));
 
   EnsembleResult result;
   result.summaries.resize(designs.size() * run.columns.size());
+  result.extents.resize(designs.size());
   for (int first = 0; first < total; first += batch) {
     const std::vector<int> order = range(first, std::min(batch, total - first));
     BlockRows rows(designs, order, kernels.lanes, columns.count(), kernels.packs);
-    Storage storage(static_cast<bool>(store), rows, columns.count(), counted);
-    ensemble::SharedRail pieces(rail, schedule, run.step, first_counted, columns.readsRail());
+    Storage storage(static_cast<bool>(store), rows, columns.count(), stored);
+    ensemble::SharedRail pieces(rail, schedule, run.step, first_stored);
     while (pieces.next()) {
       for (int b = 0; b < rows.blocks(); b += kernels.packs) {
         std::vector<Block> blocks;
@@ -261,9 +285,9 @@ EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, const Input&
     }
     result.steps += pieces.steps() * rows.used();
     summarise(
-        rows, first, columns.count(), [&](int) { return counted; },
+        rows, first, columns.count(), [&](int) { return grid.measured; },
         [&](int, int sample) { return schedule.time(sample >= 0 ? sample : schedule.samples() - 1); }, result);
-    storage.handOut(store, first, std::vector<int>(order.size(), counted));
+    storage.handOut(store, first, std::vector<int>(order.size(), stored));
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include "libvehicle/ensemble/design.h"
 #include "libvehicle/ensemble/isa.h"
 #include "libvehicle/integrate/run.h"
+#include "libvehicle/result/column_summary.h"
 #include "libvehicle/system/input.h"
 
 namespace vehicle {
@@ -15,19 +16,12 @@ namespace vehicle {
 /// What all designs of a run share.
 struct EnsembleRun {
   double output_step = 5e-3;        // [s] > 0
-  FixedStep step;                   // of RK4, ended on output samples and kinks as runFixedStep() does
-  double settle = 0.0;              // [s] >= 0: samples before the first + settle count in no metric
+  FixedStep step;                   // of RK4, ended on samples and breakpoints as runFixedStep() does
+  double fastest = 0.0;             // [rad/s] of the designs: how closely samples lie (Sampling)
+  int steps = 0;                    // fixed steps of an output step that samples have to end; 0: any (Sampling)
+  double settle = 0.0;              // [s] >= 0: the start that is left out, up to the next output sample
   std::vector<FlatColumn> columns;  // what is computed, in this order
   Isa isa = bestIsa();
-};
-
-/// One column of one design over the samples that count.
-struct ColumnSummary {
-  double mean = 0.0;
-  double rms = 0.0;      // sqrt(mean of x^2)
-  double lowest = 0.0;
-  double highest = 0.0;
-  [[nodiscard]] double peak() const { return -lowest > highest ? -lowest : highest; }  // max |x|
 };
 
 /// A design whose motion could not be followed to the end: its summaries are NaN, all others are untouched.
@@ -36,8 +30,15 @@ struct EnsembleFailure {
   double time = 0.0;  // [s] of the first sample at which a state is no longer finite
 };
 
+/// How far a design went, over the samples that count: where it left what the model can say.
+struct DesignExtent {
+  double lowest_load = 0.0;    // [N] of any wheel
+  double largest_share = 0.0;  // of carbody pitch over kMostFlatPitch and travels over kMostFlatTravel
+};
+
 struct EnsembleResult {
-  std::vector<ColumnSummary> summaries;   // (designs x columns), row-major
+  std::vector<ColumnSummary> summaries;   // (designs x columns), row-major; without the times of extremes
+  std::vector<DesignExtent> extents;      // (designs)
   std::vector<EnsembleFailure> failures;  // by design, ascending
   long steps = 0;                         // RK4 steps, summed over designs
 };
@@ -81,10 +82,13 @@ using StoredBlockSink = std::function<void(const StoredBlock&)>;
 /// @param settle, output_step  [s] >= 0, > 0
 [[nodiscard]] int firstCounted(double settle, double output_step);
 
-/// RK4 of many designs, one a SIMD lane, with metrics gathered on the way.
+/// Points of an output step of a run over that rail: designs with rails of their own can be run together where it is equal.
+[[nodiscard]] int ensembleCut(const Input& rail, const EnsembleRun& run);
+
+/// RK4 of many designs, one a SIMD lane, with metrics gathered on the way: the integrals and extremes of ColumnSummaries.
 ///
-/// Every design follows the grid of runFixedStep(): steps end on output samples and kinks. Output samples on a kink
-/// hold the right-hand limit. A design gives the same bits in whatever company, lane and order it is computed, on the
+/// Every design follows the grid of runFixedStep() over a measured Schedule: steps end on samples and breakpoints. What is
+/// stored are the points of its regular grid; on a breakpoint the right-hand limit. A design gives the same bits in whatever company, lane and order it is computed, on the
 /// same instruction set; differences between instruction sets and to the scalar run are roundings
 /// (docs/theory/ensemble.md). Single-threaded and re-entrant: callers share designs among threads.
 /// Cost: the rail is computed once a call, so hand over some hundred designs at once.
@@ -96,7 +100,8 @@ using StoredBlockSink = std::function<void(const StoredBlock&)>;
                                          const EnsembleRun& run, const StoredBlockSink& store = {});
 
 /// The same with a rail for each design, where speed or wheel positions differ. The rails may differ in segments, kinks
-/// and length; designs that point to the same Input share its preparation.
+/// and length, but an output step must be cut into the same number of points (ensembleCut()); designs that point to the
+/// same Input share its preparation.
 /// The rail is computed in the lanes, so the last bits differ from those of the other overload.
 /// @param rails  (designs), none null
 [[nodiscard]] EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, std::span<const Input* const> rails,

@@ -14,7 +14,9 @@ inline constexpr int kLoadRow = 0;           // rows of Block::extra: wheel load
 inline constexpr int kMassRow = 4;
 inline constexpr int kArmRow = 8;
 inline constexpr int kExtraRows = 16;
-inline constexpr int kMetricRows = 4;        // sum, sum of squares, lowest, highest
+inline constexpr int kMetricRows = 6;        // sum, sum of squares, lowest, highest; values two samples and one ago
+inline constexpr int kRangeRows = 2;         // lowest wheel load [N]; largest motion as a share of what is allowed
+inline constexpr int kLookRows = 3;          // of a Look
 
 /// Columns to be computed.
 struct Choice {
@@ -32,18 +34,29 @@ struct Block {
   const double* extra = nullptr;         // (kExtraRows rows)
   double* state = nullptr;               // (kStateRows rows)
   double* metrics = nullptr;             // (choice.count x kMetricRows rows)
+  double* range = nullptr;               // (kRangeRows rows)
   double* failed = nullptr;              // (1 row) number of the first sample that is not finite; infinity
   double* stored = nullptr;              // (counted samples x choice.count rows) or null
 };
 
-/// A stretch of a rail that all lanes share.
+/// How a sample is measured: its weight in the integrals [s], 0 where it does not count; one over the time to the sample
+/// before it, and of that to the one before [1/s], 0 where there is none in its smooth part of the run.
+template <class Number>
+struct Look {
+  Number weight{};
+  Number per_last{};
+  Number per_before{};
+};
+
+/// Steps over a rail that all lanes share, or none, and a sample behind them.
 struct SharedLeg {
   const double* rail = nullptr;    // (2 steps + 1) x 8: heights and rates at begin, middle, end of each step
   const double* sample = nullptr;  // 12: heights, rates, accelerations at the end; null where it is no sample
   double h = 0.0;                  // [s]
   int steps = 0;
   int number = 0;                  // of the sample
-  int counted = -1;                // its place among the samples that count, or -1
+  int stored = -1;                 // its row among those stored, or -1
+  Look<double> look;
 };
 
 /// A rail that differs from lane to lane, as the force of each bogie's primaries:
@@ -60,16 +73,15 @@ struct LaneRail {
   /// (4 rows) [s] since the segment's begin when the oscillators were seeded; half a step; half steps made since then;
   /// 1, or 0 in a lane that waits
   double* time = nullptr;
-  const double* last_sample = nullptr;  // (1 row) a lane's samples after that one count no more
 };
 
-/// Equal intervals of `steps` steps, each with an output sample at its end unless `sample` is false.
+/// Equal intervals of `steps` steps, each with a sample at its end unless `looks` is null.
 struct LaneLeg {
   int steps = 0;      // of an interval; 0: a sample alone
   int intervals = 1;
-  bool sample = true;
-  int number = 0;     // of the first sample
-  int counted = -1;   // its place among the samples that count; negative: -k starts counting k samples later
+  const double* looks = nullptr;  // (intervals x kLookRows rows)
+  int number = -1;    // of the first sample; negative: samples of some lanes alone, which are neither counted nor stored
+  int stored = -1;    // its row among those stored; negative: -k begins to store k samples later
 };
 
 /// Steady state under one harmonic.
@@ -85,6 +97,7 @@ struct SteadyBlock {
   double* motion = nullptr;              // (harmonics x 8 rows) zk, phi, z1, z2: real parts, imaginary parts; or null
   double* amplitude = nullptr;           // (harmonics x choice.count x 2 rows) or null
   double* metrics = nullptr;             // (choice.count x kMetricRows rows) mean, sum of |X|^2 / 2, lowest, highest
+  double* range = nullptr;               // (kRangeRows rows) bounds: of the lowest wheel load, of the largest share
 };
 
 /// One instruction set.

@@ -21,19 +21,44 @@ int stretchesPerSeed(int steps) { return (kStepsPerSeed + steps - 1) / steps; }
 }  // namespace
 
 LanePlan::LanePlan(const Input& rail, const Schedule& schedule, FixedStep step)
-    : input(&rail), samples(schedule.samples()), output_step(schedule.outputStep()) {
-  const std::vector<Stretch>& stretches = schedule.stretches();
-  const int whole_steps = stepsOf(output_step, step);
-  for (std::size_t first = 0; first < stretches.size();) {
-    const StepGrid grid = stepGridAt(schedule, first, step);
-    const Stretch& begin = stretches[first];
-    const Stretch& end = stretches[first + grid.count - 1];
-    Piece piece{begin.segment, end.next, begin.begin, grid.h, grid.steps, static_cast<int>(grid.count), false,
-                end.sample >= 0};
-    piece.whole = piece.sample && grid.steps == whole_steps && grid.h == output_step / whole_steps;
-    pieces.push_back(piece);
-    first += grid.count;
+    : input(&rail), parts(schedule.parts()), cut(schedule.cut()), point_step(schedule.outputStep() / schedule.cut()) {
+  const int whole_steps = stepsOf(point_step, step);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Schedule::Part& part = parts[i];
+    looks.emplace_back(schedule, part);
+    if (part.counts) measured += part.end - part.begin;
+    for (std::size_t own = 0; own < part.count;) {
+      const std::size_t index = part.first_stretch + own;
+      const StepGrid grid = stepGridAt(schedule, index, step);
+      Piece piece;
+      piece.segment = part.segment;
+      piece.begin = schedule.stretches()[index].begin;
+      piece.h = grid.h;
+      piece.steps = grid.steps;
+      piece.stretches = static_cast<int>(grid.count);
+      piece.part = i;
+      piece.first = own;
+      piece.whole = part.finer == 1 && schedule.wholeFrom(index) > 0 && grid.steps == whole_steps &&
+                    endsOnPoint(piece, piece.stretches - 1);
+      own += grid.count;
+      piece.ends_part = own == part.count;
+      pieces.push_back(piece);
+    }
   }
+  const Schedule::Part& end = parts.back();
+  const std::int64_t last = end.first + static_cast<std::int64_t>(end.count) - 2;  // the point before the end of the run
+  points = end.last_regular >= 0 ? end.last_regular + 1 : static_cast<int>(last / end.finer) + 1;
+}
+
+bool LanePlan::endsOnPoint(const Piece& piece, int stretch) const {
+  const Schedule::Part& part = parts[piece.part];
+  const std::size_t own = piece.first + static_cast<std::size_t>(stretch);
+  if (own + 1 == part.count) return part.last_regular >= 0;
+  return (part.first + static_cast<std::int64_t>(own)) % part.finer == 0;
+}
+
+Look<double> LaneRun::Lane::lookAfter(int further) const {
+  return plan->looks[now().part].at(now().first + static_cast<std::size_t>(stretch + further) + 1);
 }
 
 LaneRun::LaneRun(std::span<const LanePlan* const> plans, std::span<const FlatParameters* const> vehicles)
@@ -55,7 +80,7 @@ LaneRun::LaneRun(std::span<const LanePlan* const> plans, std::span<const FlatPar
   wheel_polynomial_ = AlignedDoubles(16 * width);
   half_step_ = AlignedDoubles(width);
   time_ = AlignedDoubles(4 * width);
-  last_sample_ = AlignedDoubles(width);
+  common_.resize(width);
   rail_.frequencies = static_cast<int>(frequencies_);
   rail_.oscillator = oscillator_.data();
   rail_.wheel = wheel_.data();
@@ -63,10 +88,8 @@ LaneRun::LaneRun(std::span<const LanePlan* const> plans, std::span<const FlatPar
   rail_.wheel_polynomial = wheel_polynomial_.data();
   rail_.half_step = half_step_.data();
   rail_.time = time_.data();
-  rail_.last_sample = last_sample_.data();
   for (std::size_t i = 0; i < width; ++i) {
     lanes_[i].turn.resize(2 * frequencies_);
-    at(last_sample_, 0, i) = lanes_[i].plan->samples - 1;
     enter(i, true);
   }
 }
@@ -142,7 +165,7 @@ void LaneRun::setMoving(std::size_t index, bool moving) {
   }
 }
 
-// Whole output steps that all lanes can make together; 0: one of them meets a kink on the way to the next sample.
+// Whole steps of the grid that all lanes can make together; 0: one of them has a sample on the way to the next point.
 int LaneRun::commonIntervals() const {
   int most = std::numeric_limits<int>::max();
   for (const Lane& lane : lanes_) {
@@ -154,90 +177,165 @@ int LaneRun::commonIntervals() const {
   return most;
 }
 
-// Whether a lane is at the end of its piece and of its segment after so many stretches.
-bool LaneRun::changesSegment(const Lane& lane, int intervals) const {
-  return !lane.over() && lane.stretch + intervals == lane.now().stretches && lane.now().next != lane.now().segment;
+void LaneRun::clearLooks(int intervals) {
+  const std::size_t rows = static_cast<std::size_t>(intervals) * kLookRows;
+  if (looks_.size() < rows * lanes_.size()) looks_ = AlignedDoubles(rows * lanes_.size());
+  std::fill_n(looks_.data(), rows * lanes_.size(), 0.0);
 }
 
-void LaneRun::call(const LaneLeg& leg) {
-  LaneLeg numbered = leg;
-  numbered.number = number_;
-  numbered.counted = number_ - first_counted_;
-  kernels_->runLanes(*block_, *choice_, rail_, numbered);
-  if (leg.sample) number_ += leg.intervals;
+void LaneRun::setLook(int interval, std::size_t lane, const Look<double>& look) {
+  const std::size_t first = static_cast<std::size_t>(interval) * kLookRows;
+  at(looks_, first, lane) = look.weight;
+  at(looks_, first + 1, lane) = look.per_last;
+  at(looks_, first + 2, lane) = look.per_before;
+}
+
+// Steps without a sample at their end.
+void LaneRun::step(int steps) { kernels_->runLanes(*block_, *choice_, rail_, {.steps = steps}); }
+
+// Intervals whose ends are points of all lanes.
+void LaneRun::meet(int steps, int intervals) {
+  LaneLeg leg;
+  leg.steps = steps;
+  leg.intervals = intervals;
+  leg.looks = looks_.data();
+  leg.number = number_;
+  leg.stored = number_ - first_stored_;
+  kernels_->runLanes(*block_, *choice_, rail_, leg);
+  number_ += intervals;
+}
+
+// A sample of those lanes alone that have a look.
+void LaneRun::lookAlone() {
+  LaneLeg leg;
+  leg.looks = looks_.data();
+  kernels_->runLanes(*block_, *choice_, rail_, leg);
+}
+
+// The lane is behind the last stretch of its piece.
+void LaneRun::nextPiece(std::size_t index) {
+  Lane& lane = lanes_[index];
+  const int segment = lane.now().segment;
+  ++lane.piece;
+  enter(index, !lane.over() && lane.now().segment != segment);
 }
 
 void LaneRun::walkUniform(int intervals) {
   int steps = 0;
-  bool kink = false;
+  bool ends = false;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     if (!lanes_[i].over()) steps = lanes_[i].now().steps;
     setMoving(i, !lanes_[i].over());
-    kink = kink || changesSegment(lanes_[i], intervals);
+    ends = ends || lanes_[i].endsPart(intervals);
   }
-  if (!kink) {
-    call({.steps = steps, .intervals = intervals});
-  } else {
-    // The sample on a kink shows the segment that begins there, so that lane changes before it.
-    if (intervals > 1) call({.steps = steps, .intervals = intervals - 1});
-    call({.steps = steps, .intervals = 1, .sample = false});
+  const int together = ends ? intervals - 1 : intervals;
+  clearLooks(std::max(together, 1));
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    for (int k = 0; k < together && !lanes_[i].over(); ++k) setLook(k, i, lanes_[i].lookAfter(k));
   }
+  if (together > 0) meet(steps, together);
+  if (!ends) {
+    for (Lane& lane : lanes_) lane.stretch += lane.over() ? 0 : intervals;
+    return;
+  }
+  // The last point is the end of a part for some: seen from before it, then, with all others, from behind.
+  step(steps);
+  clearLooks(1);
+  std::vector<char> ending;
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    ending.push_back(lanes_[i].endsPart(intervals) ? 1 : 0);
+    if (!lanes_[i].over()) common_[i] = lanes_[i].lookAfter(intervals - 1);
+    if (ending.back() != 0) setLook(0, i, common_[i]);
+  }
+  lookAlone();
+  clearLooks(1);
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];
     if (lane.over()) continue;
-    const bool changes = changesSegment(lane, intervals);
     lane.stretch += intervals;
-    if (!changes) continue;
-    ++lane.piece;
-    enter(i, true);
+    if (ending[i] != 0) {
+      nextPiece(i);
+      common_[i] = lane.over() ? Look<double>{} : lane.lookAtBegin();
+    }
+    setLook(0, i, common_[i]);
   }
-  if (kink) call({.steps = 0, .intervals = 1});
+  meet(0, 1);
+}
+
+// A lane that has come to the end of a stretch on its way to the next point; `looks_` gets what it alone has to look at.
+void LaneRun::finishStretch(std::size_t index) {
+  Lane& lane = lanes_[index];
+  const LanePlan::Piece& piece = lane.now();
+  const bool last = lane.stretch + 1 == piece.stretches;
+  const Look<double> look = lane.lookAfter(0);
+  lane.at_point = lane.plan->endsOnPoint(piece, lane.stretch);
+  common_[index] = look;
+  if (!lane.at_point || (last && piece.ends_part)) setLook(0, index, look);
 }
 
 void LaneRun::walkMixed() {
-  for (Lane& lane : lanes_) {
-    lane.at_sample = lane.over();
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    Lane& lane = lanes_[i];
+    lane.at_point = lane.over();
+    common_[i] = {};
     if (!lane.over()) lane.left = lane.now().steps;
   }
   for (;;) {
     int steps = std::numeric_limits<int>::max();
     bool all_there = true;
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      setMoving(i, !lanes_[i].at_sample);
-      if (lanes_[i].at_sample) continue;
+      setMoving(i, !lanes_[i].at_point);
+      if (lanes_[i].at_point) continue;
       all_there = false;
       steps = std::min(steps, lanes_[i].left);
     }
     if (all_there) break;
-    call({.steps = steps, .intervals = 1, .sample = false});
+    step(steps);
+    std::vector<std::size_t> finished;
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      Lane& lane = lanes_[i];
-      if (lane.at_sample) continue;
-      lane.left -= steps;
-      if (lane.left > 0) continue;
-      const LanePlan::Piece& piece = lane.now();
-      lane.at_sample = piece.sample;
-      const bool changes = changesSegment(lane, 1);
-      ++lane.stretch;
-      if (changes || (!piece.sample && lane.stretch == piece.stretches)) {
-        ++lane.piece;
-        enter(i, changes);
-      }
-      if (!lane.at_sample && lane.over()) lane.at_sample = true;
-      if (!lane.at_sample) lane.left = lane.now().steps;
+      if (lanes_[i].at_point) continue;
+      lanes_[i].left -= steps;
+      if (lanes_[i].left == 0) finished.push_back(i);
     }
+    if (finished.empty()) continue;
+    clearLooks(1);
+    for (const std::size_t i : finished) finishStretch(i);
+    lookAlone();
+    clearLooks(1);
+    for (const std::size_t i : finished) {
+      Lane& lane = lanes_[i];
+      const bool ends_part = lane.endsPart(1);
+      if (++lane.stretch < lane.now().stretches) {
+        if (!lane.at_point) lane.left = lane.now().steps;
+        continue;
+      }
+      // A piece that goes on after a point of the grid is left to reseed(), as in walkUniform().
+      if (lane.at_point && !ends_part) continue;
+      nextPiece(i);
+      if (lane.over()) {
+        lane.at_point = true;
+        common_[i] = {};
+        continue;
+      }
+      if (ends_part && lane.at_point) common_[i] = lane.lookAtBegin();
+      if (ends_part && !lane.at_point) setLook(0, i, lane.lookAtBegin());
+      if (!lane.at_point) lane.left = lane.now().steps;
+    }
+    lookAlone();
   }
-  call({.steps = 0, .intervals = 1});
+  if (number_ == points_) return;  // the last runs have ended between two points
+  clearLooks(1);
+  for (std::size_t i = 0; i < lanes_.size(); ++i) setLook(0, i, common_[i]);
+  meet(0, 1);
 }
 
-// Pieces that end without a kink, and oscillators that have turned long enough.
-void LaneRun::afterSample() {
+// Pieces that end inside a part, and oscillators that have turned long enough.
+void LaneRun::reseed() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];
     if (lane.over() || lane.stretch == 0) continue;
     if (lane.stretch == lane.now().stretches) {
-      ++lane.piece;
-      enter(i, false);
+      nextPiece(i);
     } else if (lane.stretch % stretchesPerSeed(lane.now().steps) == 0) {
       const LanePlan::Piece& piece = lane.now();
       seed(i, piece.begin + static_cast<double>(lane.stretch) * piece.steps * piece.h);
@@ -245,18 +343,22 @@ void LaneRun::afterSample() {
   }
 }
 
-void LaneRun::run(const Kernels& kernels, const Block& block, const Choice& choice, int first_counted) {
+void LaneRun::run(const Kernels& kernels, const Block& block, const Choice& choice, int first_stored) {
   kernels_ = &kernels;
   block_ = &block;
   choice_ = &choice;
-  first_counted_ = first_counted;
+  first_stored_ = first_stored;
   number_ = 0;
-  call({.steps = 0, .intervals = 1});
+  points_ = 0;
+  for (const Lane& lane : lanes_) points_ = std::max(points_, lane.plan->points);
+  clearLooks(1);
+  for (std::size_t i = 0; i < lanes_.size(); ++i) setLook(0, i, lanes_[i].lookAtBegin());
+  meet(0, 1);
   while (!std::all_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.over(); })) {
     const int intervals = commonIntervals();
     if (intervals > 0) walkUniform(intervals);
     else walkMixed();
-    afterSample();
+    reseed();
   }
 }
 

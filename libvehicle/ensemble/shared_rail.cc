@@ -11,67 +11,88 @@ constexpr std::size_t kRowsPerBlock = 2 * static_cast<std::size_t>(kStepsPerBloc
 
 }  // namespace
 
-SharedRail::SharedRail(const Input& input, const Schedule& schedule, FixedStep step, int first_counted,
-                       bool reads_rail)
+SharedRail::SharedRail(const Input& input, const Schedule& schedule, FixedStep step, int first_stored)
     : input_(input),
       schedule_(schedule),
       step_(step),
-      first_counted_(first_counted),
-      reads_rail_(reads_rail),
+      first_stored_(first_stored),
+      stretch_(schedule.stretches().begin()),
       rows_(kBlocksPerPiece * kRowsPerBlock * kRowWidth),
-      // A block ends as many stretches as it has steps at most; the sample at the start comes on top.
-      samples_((kBlocksPerPiece * static_cast<std::size_t>(kStepsPerBlock) + 1) * kSampleWidth) {}
+      // A block ends as many stretches as it has steps at most, each perhaps with two limits; the start comes on top.
+      samples_((2 * kBlocksPerPiece * static_cast<std::size_t>(kStepsPerBlock) + 2) * kSampleWidth) {}
 
 bool SharedRail::next() {
   legs_.clear();
   rows_used_ = samples_used_ = 0;
+  const Schedule::Iterator end = schedule_.stretches().end();
   if (!begun_) {
     begun_ = true;
-    const Stretch& start = schedule_.stretches().front();
-    addSample(0, start.segment, start.begin, true);
+    const Stretch start = *stretch_;
+    beginPart(start.segment, start.begin, 0);
   }
-  for (int block = 0; block < kBlocksPerPiece && stretch_ < schedule_.stretches().size(); ++block) addBlock();
+  for (int block = 0; block < kBlocksPerPiece && !(stretch_ == end); ++block) addBlock();
   return !legs_.empty();
 }
 
-void SharedRail::addSample(int number, int segment, double t, bool alone) {
+// A sample at the end of the last leg.
+void SharedRail::addSample(int segment, double t, const Look<double>& look) {
   double* sample = samples_.data() + samples_used_;
   samples_used_ += kSampleWidth;
-  const bool counts = number >= first_counted_;
-  if (counts && reads_rail_) input_.evaluate(segment, t, {sample, kSampleWidth});
-  if (alone) legs_.push_back({});
+  input_.evaluate(segment, t, {sample, kSampleWidth});
   legs_.back().sample = sample;
-  legs_.back().number = number;
-  legs_.back().counted = counts ? number - first_counted_ : -1;
+  legs_.back().number = number_;
+  legs_.back().look = look;
+}
+
+// The part of the stretch at hand: its first sample, the right-hand limit where the rail breaks.
+void SharedRail::beginPart(int segment, double t, int regular) {
+  part_.emplace(schedule_, stretch_.part());
+  legs_.push_back({});
+  addSample(segment, t, part_->at(0));
+  if (regular >= first_stored_) legs_.back().stored = regular - first_stored_;
+}
+
+void SharedRail::endStretch(const Stretch& stretch) {
+  const Schedule::Part& part = stretch_.part();
+  const std::size_t own = stretch_.index() - part.first_stretch + 1;
+  ++number_;
+  addSample(stretch.segment, stretch.end, part_->at(own));
+  ++stretch_;
+  const bool ends_part = own == part.count;
+  if (ends_part && !(stretch_ == schedule_.stretches().end())) {
+    beginPart(stretch.next, stretch.end, stretch.regular);
+  } else if (stretch.regular >= first_stored_) {
+    legs_.back().stored = stretch.regular - first_stored_;
+  }
 }
 
 // The next block of the grid, cut where stretches end.
 void SharedRail::addBlock() {
-  const std::vector<Stretch>& stretches = schedule_.stretches();
   if (done_ == 0) {
-    first_ = stretch_;
-    grid_ = stepGridAt(schedule_, stretch_, step_);
+    grid_begin_ = *stretch_;
+    grid_ = stepGridAt(schedule_, stretch_.index(), step_);
     left_ = grid_.steps;
   }
-  const Stretch& begin = stretches[first_];
   const int total = grid_.steps * static_cast<int>(grid_.count);
   const int block_end = std::min(done_ + kStepsPerBlock, total);
   const auto values = 2 * static_cast<std::size_t>(block_end - done_) + 1;
   const double* row = rows_.data() + rows_used_;
-  input_.sweep(begin.segment, begin.begin, 0.5 * grid_.h, 2 * done_, static_cast<int>(values),
+  input_.sweep(grid_begin_.segment, grid_begin_.begin, 0.5 * grid_.h, 2 * done_, static_cast<int>(values),
                {rows_.data() + rows_used_, values * kRowWidth});
   rows_used_ += values * kRowWidth;
   while (done_ < block_end) {
     const int steps = std::min(left_, block_end - done_);
-    legs_.push_back({.rail = row, .sample = nullptr, .h = grid_.h, .steps = steps});
+    SharedLeg leg;
+    leg.rail = row;
+    leg.h = grid_.h;
+    leg.steps = steps;
+    legs_.push_back(leg);
     done_ += steps;
     left_ -= steps;
     steps_ += steps;
     row += 2 * static_cast<std::size_t>(steps) * kRowWidth;
     if (left_ > 0) break;  // the block ends inside a stretch
-    const Stretch& stretch = stretches[stretch_];
-    if (stretch.sample >= 0) addSample(stretch.sample, stretch.next, stretch.end, false);
-    ++stretch_;
+    endStretch(*stretch_);
     left_ = grid_.steps;
   }
   if (done_ == total) done_ = 0;

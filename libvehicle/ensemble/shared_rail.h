@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "libvehicle/ensemble/kernel.h"
+#include "libvehicle/ensemble/part_looks.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 
 namespace vehicle::ensemble {
@@ -12,8 +14,8 @@ namespace vehicle::ensemble {
 /// legs that read them. The grid and the numbers are those of runFixedStep().
 class SharedRail {
  public:
-  /// @param first_counted  number of the first sample that counts   @param reads_rail  whether samples need the rail
-  SharedRail(const Input& input, const Schedule& schedule, FixedStep step, int first_counted, bool reads_rail);
+  /// @param first_stored  number of the first point of the regular grid that is stored
+  SharedRail(const Input& input, const Schedule& schedule, FixedStep step, int first_stored);
 
   /// The next piece; false where the run is over. The legs are valid until the next call.
   bool next();
@@ -21,18 +23,21 @@ class SharedRail {
   [[nodiscard]] long steps() const { return steps_; }  // so far
 
  private:
-  void addSample(int number, int segment, double t, bool alone);
+  void addSample(int segment, double t, const Look<double>& look);
+  void beginPart(int segment, double t, int regular);
+  void endStretch(const Stretch& stretch);
   void addBlock();
 
   const Input& input_;
   const Schedule& schedule_;
   FixedStep step_;
-  int first_counted_;
-  bool reads_rail_;
+  int first_stored_;
 
   bool begun_ = false;
-  std::size_t stretch_ = 0;  // the one that is being run
-  std::size_t first_ = 0;    // of the grid
+  Schedule::Iterator stretch_;  // the one that is being run
+  Stretch grid_begin_;          // the first of the grid
+  std::optional<PartLooks> part_;  // the one of the stretch
+  int number_ = 0;              // of the next sample
   StepGrid grid_;
   int done_ = 0;             // steps of the grid
   int left_ = 0;             // steps of the stretch

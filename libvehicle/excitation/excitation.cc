@@ -18,7 +18,6 @@
 namespace vehicle {
 namespace {
 
-constexpr double kSameInstant = 1e-9;      // of an output step, as schedule.h has it
 constexpr double kShortestPassage = 1e-8;  // of an output step: both ends of a feature stay apart
 
 [[noreturn]] void refuse(const Origin& origin, std::string element, std::string message, std::string remedy) {
@@ -45,7 +44,7 @@ double endOf(const Run& run, double speed) {
            "run longer, or take a shorter output_step");
   }
   const int sample = sampleAt(0.0, run.output_step, end);
-  return sample > 0 ? sample * run.output_step : end;
+  return sample > 0 ? SampleGrid(0.0, run.output_step).time(sample) : end;
 }
 
 // Before an onset the rail is flat at 0: the profile must begin there too.
@@ -133,10 +132,11 @@ std::vector<double> cut(std::vector<Passage>& passages, const std::vector<double
   }
   std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
 
+  const SampleGrid grid(0.0, output_step);
   std::vector<double> borders{0.0};
   for (const Event& event : events) {
     const int sample = sampleAt(0.0, output_step, event.time);
-    const double time = sample >= 0 ? sample * output_step : event.time;
+    const double time = sample >= 0 ? grid.time(sample) : event.time;
     if (time - borders.back() > same) borders.push_back(time);
     (event.begins ? passages[event.passage].first : passages[event.passage].last) = borders.size() - 1;
   }

@@ -24,17 +24,19 @@ class AdaptiveRun {
         control_(Stepper::kOrder) {}
 
   Statistics run(const Schedule& schedule, std::span<const double> x0) {
-    const std::vector<Stretch>& stretches = schedule.stretches();
+    const std::vector<Schedule::Part>& parts = schedule.parts();
     std::copy(x0.begin(), x0.end(), sample_.begin());
-    t_ = stretches.front().begin;
+    t_ = parts.front().begin;
     // Below this a step no longer moves the clock reliably.
-    const double latest = std::max(std::abs(t_), std::abs(stretches.back().end));
+    const double latest = std::max(std::abs(t_), std::abs(parts.back().end));
     least_step_ = 16.0 * std::numeric_limits<double>::epsilon() * latest;
-    statistics_.stopped = !observe_(0, stretches.front().segment, t_, sample_);
-    for (std::size_t i = 0; i < stretches.size() && !statistics_.stopped;) {
+    statistics_.stopped = !observe_(0, parts.front().segment, t_, sample_);
+    const Schedule::Stretches stretches = schedule.stretches();
+    auto next = stretches.begin();
+    for (std::size_t i = 0; i < parts.size() && !statistics_.stopped;) {
       std::size_t last = i;
-      while (last + 1 < stretches.size() && stretches[last + 1].segment == stretches[i].segment) ++last;
-      runSegment({&stretches[i], last - i + 1});
+      while (last + 1 < parts.size() && parts[last + 1].segment == parts[i].segment) ++last;
+      runSegment(next, parts[last].end);
       i = last + 1;
     }
     return statistics_;
@@ -42,9 +44,10 @@ class AdaptiveRun {
 
  private:
   // All stretches of one segment; sample_ holds the state at its begin, and at its end when this returns.
-  void runSegment(std::span<const Stretch> stretches) {
-    const int segment = stretches.front().segment;
-    const double end = stretches.back().end;
+  // @param next  the first of them; behind the last when this returns
+  void runSegment(Schedule::Iterator& next, double end) {
+    Stretch stretch = *next;
+    const int segment = stretch.segment;
     input_.evaluate(segment, t_, inputRow(0));
     stepper_.begin(sample_.data(), inputRow(0).data());
     ++statistics_.evaluations;
@@ -53,7 +56,6 @@ class AdaptiveRun {
     if (accuracy_.max_step > 0.0) longest = std::min(longest, accuracy_.max_step);
     if (next_step_ == 0.0) next_step_ = firstStep(segment, longest);
 
-    std::size_t next = 0;
     while (t_ < end) {
       const double remaining = end - t_;
       const double wanted = std::min(next_step_, longest);
@@ -61,9 +63,11 @@ class AdaptiveRun {
       const double h = wanted >= 0.99 * remaining ? remaining : std::min(wanted, 0.5 * std::max(remaining, wanted));
       if (!attempt(segment, h)) continue;
       const bool arrived = h == remaining;
-      for (; next + 1 < stretches.size() && (arrived || stretches[next].end <= t_ + h); ++next) {
-        stepper_.dense(std::min(1.0, (stretches[next].end - t_) / h), sample_.data());
-        if (!show(stretches[next])) return;
+      while (stretch.end < end && (arrived || stretch.end <= t_ + h)) {
+        stepper_.dense(std::min(1.0, (stretch.end - t_) / h), sample_.data());
+        if (!show(stretch)) return;
+        ++next;
+        stretch = *next;
       }
       stepper_.accept();
       t_ = arrived ? end : t_ + h;
@@ -71,7 +75,8 @@ class AdaptiveRun {
       next_step_ = h < next_step_ ? std::max(next_step_, after_) : after_;
     }
     std::copy_n(stepper_.state(), stepper_.size(), sample_.begin());
-    show(stretches.back());
+    show(stretch);
+    ++next;
   }
 
   bool attempt(int segment, double h) {

@@ -35,7 +35,7 @@ StateSpace matricesForExact(const System& system, const Input& input, std::span<
 Statistics runExact(const System& system, const Input& input, const Schedule& schedule, std::span<const double> x0,
                     const Observer& observe) {
   ExactRun run(matricesForExact(system, input, x0), input, schedule, x0, AllRows{});
-  const Stretch& first = schedule.stretches().front();
+  const Stretch first = schedule.stretches().front();
   if (!observe(0, first.segment, first.begin, run.state())) return {.stopped = true};
   bool stopped = false;
   Statistics statistics = run.run([&](const Stretch& stretch, std::span<const double> x) {

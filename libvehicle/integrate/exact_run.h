@@ -36,7 +36,7 @@ class ExactRun {
   /// @param arrive  arrive(const Stretch&, std::span<const double> x) at the end of every stretch; false ends the run
   template <class Arrive>
   Statistics run(Arrive arrive) {
-    for (const Stretch& stretch : schedule_.stretches()) {
+    for (const Stretch stretch : schedule_.stretches()) {
       move(stretch);
       if (!arrive(stretch, state())) break;
     }
@@ -50,7 +50,7 @@ class ExactRun {
     const InputSegment& segment = input_.segment(stretch.segment);
     if (stretch.segment != segment_) enter(stretch.segment);
     const double length = stretch.end - stretch.begin;
-    ExactPropagator& propagator = propagatorFor(length);
+    ExactPropagator& propagator = propagatorFor(length, stretch.whole);
     if (&propagator != seeded_ || turns_ == kReseed) {
       propagator.seed(stretch.begin - segment.begin, oscillators_.data());
       seeded_ = &propagator;
@@ -88,19 +88,15 @@ class ExactRun {
     seeded_ = nullptr;
   }
 
-  double meantLength(double length) const {
-    const double step = schedule_.outputStep();
-    return std::abs(length - step) <= kSameLength * step ? step : length;
-  }
-
-  ExactPropagator& propagatorFor(double length) {
+  // @param whole  [s] the length that is meant, or 0
+  ExactPropagator& propagatorFor(double length, double whole) {
     auto& known = harmonic_ ? of_segment_ : free_;
     for (const auto& propagator : known) {
       if (std::abs(propagator->length() - length) <= kSameLength * length) return *propagator;
     }
     makeRoom(known);
     const std::vector<double>& w = input_.segment(segment_).angular_frequency;
-    known.push_back(std::make_unique<ExactPropagator>(matrices_.A, forcing_, w, meantLength(length)));
+    known.push_back(std::make_unique<ExactPropagator>(matrices_.A, forcing_, w, whole > 0.0 ? whole : length));
     statistics_.evaluations += known.back()->exponentials();
     return *known.back();
   }

@@ -47,15 +47,17 @@ Statistics runFedSteps(Stepper& stepper, int width, Feed feed, const Schedule& s
                        std::span<const double> x0, const Observer& observe) {
   checkStart(Stepper::kName, x0, stepper.size());
   std::vector<double> x(x0.begin(), x0.end());
-  const std::vector<Stretch>& stretches = schedule.stretches();
+  const Schedule::Stretches stretches = schedule.stretches();
+  auto next = stretches.begin();
 
   Statistics statistics;
-  statistics.stopped = !observe(0, stretches.front().segment, stretches.front().begin, x);
+  Stretch stretch = *next;
+  statistics.stopped = !observe(0, stretch.segment, stretch.begin, x);
   for (std::size_t first = 0; first < stretches.size() && !statistics.stopped;) {
     const StepGrid grid = stepGridAt(schedule, first, step);
-    const Stretch* stretch = &stretches[first];
-    const int segment = stretch->segment;
-    const double begin = stretch->begin;
+    stretch = *next;
+    const int segment = stretch.segment;
+    const double begin = stretch.begin;
     const int total = grid.steps * static_cast<int>(grid.count);
     int left = grid.steps;  // of this stretch
     for (int done = 0; done < total && !statistics.stopped;) {
@@ -68,8 +70,9 @@ Statistics runFedSteps(Stepper& stepper, int width, Feed feed, const Schedule& s
         }
         requireFinite(Stepper::kName, begin + done * grid.h, x);
         if (left > 0) continue;
-        if (stretch->sample >= 0) statistics.stopped = !observe(stretch->sample, stretch->next, stretch->end, x);
-        ++stretch;
+        if (stretch.sample >= 0) statistics.stopped = !observe(stretch.sample, stretch.next, stretch.end, x);
+        ++next;
+        if (done < total) stretch = *next;
         left = grid.steps;
       }
     }

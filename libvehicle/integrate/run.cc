@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -32,24 +31,14 @@ int stepsOf(double length, FixedStep step) {
 }
 
 StepGrid stepGridAt(const Schedule& schedule, std::size_t first, FixedStep step) {
-  const std::vector<Stretch>& stretches = schedule.stretches();
-  const double output_step = schedule.outputStep();
-  // Not a kink beside the sample, which may be further off: only what rounding of the clock explains.
-  const auto isWhole = [&](const Stretch& stretch) {
-    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(stretch.end), output_step);
-    return std::abs(stretch.end - stretch.begin - output_step) <= rounding;
-  };
-  const Stretch& begin = stretches[first];
+  const Stretch begin = schedule.stretches()[first];
   StepGrid grid;
-  const double length = isWhole(begin) ? output_step : begin.end - begin.begin;
+  const double length = begin.whole > 0.0 ? begin.whole : begin.end - begin.begin;
   grid.steps = stepsOf(length, step);
   grid.h = length / grid.steps;
   constexpr std::size_t kMostSteps = 100'000'000;  // so that half steps are counted by an int
   const std::size_t most = std::max<std::size_t>(1, kMostSteps / static_cast<std::size_t>(grid.steps));
-  while (isWhole(begin) && grid.count < most && first + grid.count < stretches.size() &&
-         stretches[first + grid.count].segment == begin.segment && isWhole(stretches[first + grid.count])) {
-    ++grid.count;
-  }
+  grid.count = std::clamp<std::size_t>(schedule.wholeFrom(first), 1, most);
   return grid;
 }
 

@@ -214,9 +214,9 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
     throw std::invalid_argument(
         fmt::format("simbody_rkm: the input has {} wheelsets, must be {}", input.channels(), channels()));
   }
-  const std::vector<Stretch>& stretches = schedule.stretches();
-  int segment = stretches.front().segment;
-  double reached = stretches.front().begin;
+  const Stretch start = schedule.stretches().front();
+  int segment = start.segment;
+  double reached = start.begin;
   const auto rail = [&input, &segment, size = 2 * at(channels())](double t, double* u) {
     input.evaluate(segment, t, {u, size});
   };
@@ -233,8 +233,8 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
   Statistics statistics;
   simbody([&] { model_->startRun(accuracy, schedule.outputStep(), reached, x.data(), rail); });
   statistics.stopped = !observe(0, segment, reached, x);
-  for (std::size_t i = 0; i < stretches.size() && !statistics.stopped; ++i) {
-    const Stretch& stretch = stretches[i];
+  for (const Stretch stretch : schedule.stretches()) {
+    if (statistics.stopped) break;
     if (stretch.segment != segment) {
       segment = stretch.segment;
       model_->passKink();

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "libvehicle/linear/motion_rates.h"
 #include "libvehicle/linear/steady_state.h"
 #include "libvehicle/matrix/matrix_form.h"
 
@@ -38,6 +39,11 @@ Eigen::VectorXd restState(const StateSpace& matrices, const Scenario& scenario, 
     case InitialRest::kZero: break;
     case InitialRest::kOnRail: return restOnRail(matrices, scenario, input);
     case InitialRest::kPeriodic:
+      if (const double growth = MotionRates(matrices.A).growth(); growth > 0.0) {
+        refuse(scenario,
+               fmt::format("from=\"periodic\" needs a vehicle whose motions die out, but one grows by e every {:.3g} s", 1.0 / growth),
+               "`vehicle check` names what makes it unstable; from=\"zero\" shows how it grows");
+      }
       try {
         return steadyState(matrices, input.segment(0), input.begin());
       } catch (const std::invalid_argument& error) {

@@ -23,6 +23,9 @@ const std::vector<std::string>& methodNames() {
 
 bool isSplitMethod(const std::string& method) { return method == "rk4_split" || method == "exact_split"; }
 
+bool isRk4(const std::string& method) { return method == "rk4" || method == "rk4_split"; }
+bool isExact(const std::string& method) { return method == "exact" || method == "exact_split"; }
+
 std::string methodMisfit(const std::string& method, const std::string& form) {
   const bool linear = isLinearForm(form);
   const bool simbody = isSimbodyForm(form);

@@ -16,6 +16,11 @@ namespace vehicle {
 /// Whether the method runs bounce and pitch apart.
 [[nodiscard]] bool isSplitMethod(const std::string& method);
 
+/// rk4 and rk4_split: the same steps and the same integration error, in other coordinates.
+[[nodiscard]] bool isRk4(const std::string& method);
+/// exact and exact_split.
+[[nodiscard]] bool isExact(const std::string& method);
+
 /// Why this method cannot integrate that form ("exact needs a linear form; mbs is nonlinear"); empty if it can.
 /// @throws std::invalid_argument for a name that does not exist, naming the nearest one
 [[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form);

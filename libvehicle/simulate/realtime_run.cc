@@ -16,7 +16,10 @@
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/integrate/system_rhs.h"
+#include "libvehicle/linear/motion_rates.h"
+#include "libvehicle/matrix/matrix_form.h"
 #include "libvehicle/simulate/initial_state.h"
+#include "libvehicle/simulate/run_plan.h"
 
 namespace vehicle {
 
@@ -135,6 +138,11 @@ RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, c
   const std::unique_ptr<System> system = buildForm(run.form, vehicle, scenario.gravity);
   const Input input = inputOf(scenario, topologyOf(vehicle), run.speed);
   run.steps = stepsIn(input, period);
+  const MotionRates rates = isLinearForm(run.form) ? MotionRates(*system)
+                                                   : MotionRates(*buildMatrixForm(vehicle, scenario.gravity));
+  if (auto warning = stepWarning(period, input.end() - input.begin(), rates, "--realtime")) {
+    run.warnings.push_back(std::move(*warning));
+  }
   const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
 
   const int rows = static_cast<int>(std::clamp(kAhead / period, 64.0, 65536.0));

@@ -18,6 +18,7 @@ struct RealtimeRun {
   long steps = 0;             // asked for: the scenario's duration in whole periods
   long states_read = 0;       // taken from the output mailbox by the feeding thread
   std::vector<double> state;  // after the last step, in the form's order
+  Warnings warnings;          // UNSTABLE_STEP, COARSE_STEP of the period
   bool same_bits = false;     // the last state is, bit for bit, that of the same steps made without a clock
 };
 

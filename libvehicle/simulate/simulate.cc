@@ -3,14 +3,21 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "libvehicle/excitation/excitation.h"
+#include "libvehicle/matrix/matrix_form.h"
 #include "libvehicle/simulate/initial_state.h"
+#include "libvehicle/simulate/run_plan.h"
+#include "libvehicle/simulate/run_warnings.h"
 #include "libvehicle/simulate/shared_run.h"
 #include "libvehicle/simulate/thread_choice.h"
+#include "libvehicle/simulate/vehicle_warnings.h"
+#include "libvehicle/statics/rest.h"
 
 namespace vehicle {
 
@@ -24,7 +31,7 @@ void requirePositive(const char* name, double value, const char* unit) {
 
 void checkChoice(const RunChoice& choice) {
   if (choice.speed) requirePositive("speed", *choice.speed, "m/s");
-  requirePositive("step", choice.step, "s");
+  if (choice.step) requirePositive("step", *choice.step, "s");
   requirePositive("relative tolerance", choice.relative, "");
   requirePositive("absolute tolerance", choice.absolute, "");
   requirePositive("accuracy", choice.accuracy, "");
@@ -35,40 +42,46 @@ void checkChoice(const RunChoice& choice) {
   if (choice.refine < 1) throw std::invalid_argument(fmt::format("refine = {}, must be >= 1", choice.refine));
 }
 
-// Fills the history sample by sample and watches over it.
-class Recorder {
- public:
-  Recorder(const System& system, const Input& input, const Schedule& schedule, const Progress& progress)
-      : system_(system), input_(input), schedule_(schedule), progress_(progress), history_(system.outputs()),
-        u_(3 * static_cast<std::size_t>(system.channels())) {
-    history_.reserve(static_cast<std::size_t>(schedule.samples()));
-  }
+/// What a history may take, as validate() has it.
+constexpr double kMostHistoryBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
 
-  bool operator()(int sample, int segment, double t, std::span<const double> x) {
-    input_.evaluate(segment, t, u_);
-    const std::span<double> row = history_.append(t);
-    system_.output(x, u_, row.subspan(1));
-    for (std::size_t column = 1; column < row.size(); ++column) {
-      if (!std::isfinite(row[column])) {
-        throw RunFailed(fmt::format("{} is not finite at t = {:.6g} s", history_.columns()[column].name, t));
-      }
-    }
-    // Asking after every sample would cost more than a step of the exact method.
-    constexpr int kSamplesBetweenReports = 16;
-    if (!progress_ || sample % kSamplesBetweenReports != 0) return true;
-    return progress_(static_cast<double>(sample + 1) / schedule_.samples());
-  }
+void requireMemory(const Schedule& schedule, const System& system, Keep keep) {
+  if (keep == Keep::kNothing) return;
+  const double samples = keep == Keep::kOutputs ? schedule.outputs() : schedule.outputs() * schedule.cut();
+  const double columns = static_cast<double>(system.outputs().size() + 1);
+  const double bytes = 8.0 * samples * columns;
+  if (bytes <= kMostHistoryBytes) return;
+  throw std::invalid_argument(
+      fmt::format("a history of {:.0f} samples and {:.0f} columns needs {:.1f} GiB, allowed are {:.0f}; take a longer "
+                  "output_step or a shorter run, or keep no history",
+                  samples, columns, bytes / 1073741824.0, kMostHistoryBytes / 1073741824.0));
+}
 
-  TimeHistory take() { return std::move(history_); }
+void append(Warnings more, Warnings& warnings) {
+  std::move(more.begin(), more.end(), std::back_inserter(warnings));
+}
 
- private:
-  const System& system_;
-  const Input& input_;
-  const Schedule& schedule_;
-  const Progress& progress_;
-  TimeHistory history_;
-  std::vector<double> u_;  // (3 w) heights, rates, accelerations
-};
+Warning coarseSamples(const Schedule& schedule) {
+  Warning warning;
+  warning.code = WarningCode::kCoarseSamples;
+  warning.value = schedule.outputStep() / schedule.cut();
+  warning.unit = "s";
+  warning.message = fmt::format("peaks, means and r.m.s. are of samples {:.3g} ms apart, too few for the fastest motion of so "
+                                "long a run",
+                                1e3 * *warning.value);
+  warning.remedy = "run shorter";
+  return warning;
+}
+
+/// Whether samples lie close enough for the series of ExactIntegrals.
+bool isFollowed(const Schedule& schedule, double fastest) {
+  return schedule.isResolved() && schedule.outputStep() / schedule.cut() * fastest <= ExactIntegrals::kMostTurn;
+}
+
+/// How fast the form moves; of a nonlinear one its linearisation about rest, which is the matrix form.
+MotionRates ratesOf(const std::string& form, const System& system, const Vehicle& vehicle, double gravity) {
+  return isLinearForm(form) ? MotionRates(system) : MotionRates(*buildMatrixForm(vehicle, gravity));
+}
 
 }  // namespace
 
@@ -96,11 +109,36 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
 
   const std::unique_ptr<System> system = buildForm(result.form, vehicle, scenario.gravity);
   const Input input = inputOf(scenario, topology, result.speed);
-  const Schedule schedule(input, scenario.run.output_step);
+  const bool is_fixed_step = isRk4(result.method);
+  RunPlan plan;
+  double fastest = 0.0;  // [rad/s]
+  if (choice.measures) {
+    const MotionRates rates = ratesOf(result.form, *system, vehicle, scenario.gravity);
+    fastest = rates.fastest();
+    plan = planOf({.fixed_step = is_fixed_step, .step = choice.step, .refine = choice.refine,
+                   .output_step = scenario.run.output_step, .duration = input.end() - input.begin(),
+                   .settle = choice.settle},
+                  rates);
+    const Rest rest = restOf(topology, scenario.gravity);
+    result.warnings = restWarnings(topology, rest, scenario.gravity);
+    const bool stands = std::none_of(result.warnings.begin(), result.warnings.end(), [](const Warning& each) {
+      return each.code == WarningCode::kCannotStand;
+    });
+    append(motionWarnings(rates, stands), result.warnings);
+    append(std::move(plan.warnings), result.warnings);
+    result.notes = std::move(plan.notes);
+  } else {
+    plan.step = {choice.step.value_or(kDefaultStep), choice.refine};
+  }
+  const Schedule schedule = choice.measures ? Schedule(input, plan.sampling)
+                                            : Schedule(input, scenario.run.output_step);
+  requireMemory(schedule, *system, choice.keep);
   const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
-  const MethodSettings settings{{choice.step, choice.refine}, {choice.relative, choice.absolute}, choice.accuracy};
+  const MethodSettings settings{plan.step, {choice.relative, choice.absolute}, choice.accuracy};
+  result.step = is_fixed_step ? plan.step.step : 0.0;
 
-  Recorder recorder(*system, input, schedule, progress);
+  Recorder recorder(*system, input, schedule, choice.keep, choice.measures, progress);
+  if (choice.measures && isExact(result.method) && isFollowed(schedule, fastest)) recorder.integrateExactly();
   const auto begin = std::chrono::steady_clock::now();
   try {
     const bool only_serial = choice.threads == 0 && !canBeShared(result.form, result.method);
@@ -117,7 +155,12 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
     throw RunFailed(fmt::format("{} with {}: {}", result.form, result.method, failure.what()));
   }
   result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.history = recorder.take();
+  result.history = recorder.takeHistory();
+  result.summaries = recorder.summaries();
+  result.reached = recorder.reached();
+  result.outputs = recorder.outputs();
+  append(rangeWarnings(topology, system->outputs(), result.summaries, scenario.gravity), result.warnings);
+  if (!schedule.isResolved() && !choice.step) append({coarseSamples(schedule)}, result.warnings);
   return result;
 }
 

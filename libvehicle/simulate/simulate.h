@@ -1,16 +1,18 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/vehicle.h"
+#include "libvehicle/diagnostics/warning.h"
 #include "libvehicle/partition/choose.h"
 #include "libvehicle/partition/team/team.h"
 #include "libvehicle/result/time_history.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"
+#include "libvehicle/simulate/recorder.h"
 #include "libvehicle/simulate/shared_run.h"
 #include "libvehicle/system/schedule.h"
 
@@ -21,11 +23,15 @@ struct RunChoice {
   std::string form;             // empty: flat where it fits, else matrix
   std::string method;           // empty: exact where it fits and few states ask for it, else dopri5
   std::optional<double> speed;  // [m/s]; empty: the scenario's
-  double step = 1e-3;           // [s] rk4: largest fixed step
+  std::optional<double> step;   // [s] rk4: largest fixed step; empty: as the fastest motion asks (run_plan.h)
   int refine = 1;               // rk4: cuts every fixed step once more (convergence orders)
   double relative = 1e-10;      // dopri5
   double absolute = 1e-12;      // dopri5, in the state's unit
   double accuracy = 1e-10;      // simbody_rkm
+
+  Keep keep = Keep::kOutputs;   // what becomes the history
+  bool measures = true;         // peaks, means and warnings, from samples close enough; false: output samples alone
+  double settle = 0.0;          // [s] start of the run that summaries leave out, up to the next output sample
 
   // Threads change the speed of a run and no bit of its result.
   int threads = 1;              // 0: as many as a short calibration finds to be fastest, 1 where none is
@@ -36,10 +42,16 @@ struct RunChoice {
 
 struct RunResult {
   TimeHistory history;
+  std::vector<ColumnSummary> summaries;  // of its columns after time; empty where nothing was measured
+  Warnings warnings;                     // where vehicle, step or result are outside what the model can say
+  std::vector<std::string> notes;        // what was chosen for the caller
   Statistics statistics;
   std::string form;
   std::string method;
   double speed = 0.0;         // [m/s]
+  double step = 0.0;          // [s] largest step of a fixed-step method; 0: others
+  double reached = 0.0;       // [s] the end of the run, or where it was ended
+  long outputs = 0;           // samples of the history, kept or not
   double wall_seconds = 0.0;  // of the integration, outputs included, building the form excluded
   std::string scheme = "serial";
   int threads = 1;
@@ -47,9 +59,6 @@ struct RunResult {
   std::vector<ThreadWork> work;  // of each of them
   Decision decision;          // what the calibration found; its reason is empty where the choice left nothing open
 };
-
-/// Called now and then with the share done, 0..1; returning false ends the run with what there is.
-using Progress = std::function<bool(double)>;
 
 /// One run: definition and names in, time history out.
 /// @throws InvalidInput           vehicle or scenario is wrong, or the form does not fit

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "libvehicle/simulate/forms.h"
+#include "libvehicle/simulate/methods.h"
 
 namespace vehicle {
 namespace {
@@ -25,7 +26,7 @@ constexpr double kUlp = 0x1p-52;
 constexpr double kDopri5Share = 0.05;
 constexpr double kSimbodyShare = 0.15;
 // Richardson's estimate is the leading term; twice it covers the following ones at steps that resolve
-// every mode (resolvingRk4Step).
+// every mode (MotionRates::resolvingRk4Step).
 constexpr double kRichardson = 2.0;
 // First-order perturbation, evaluated with the peaks of the linear run: half as much again for the next order.
 constexpr double kGeometry = 1.5;
@@ -218,9 +219,6 @@ std::string RunKey::text() const {
   return fmt::format("{} {}{}{}", form, method, scheme.empty() ? "" : fmt::format(" {} x{}", scheme, threads),
                      refine == 1 ? "" : " h/2");
 }
-
-bool isRk4(const std::string& method) { return method == "rk4" || method == "rk4_split"; }
-bool isExact(const std::string& method) { return method == "exact" || method == "exact_split"; }
 
 bool haveEqualBits(const RunKey& a, const RunKey& b) {
   return (!a.scheme.empty() || !b.scheme.empty()) && a.form == b.form && a.method == b.method && a.step == b.step &&

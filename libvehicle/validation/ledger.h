@@ -35,11 +35,6 @@ struct RunKey {
   [[nodiscard]] std::string text() const;
 };
 
-/// rk4 and rk4_split: the same steps and the same integration error, in other coordinates.
-[[nodiscard]] bool isRk4(const std::string& method);
-/// exact and exact_split.
-[[nodiscard]] bool isExact(const std::string& method);
-
 /// Whether two runs are the same computation, shared among threads in different ways: their bits must be equal.
 [[nodiscard]] bool haveEqualBits(const RunKey& a, const RunKey& b);
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -77,18 +75,6 @@ Sensitivity sensitivityOf(const System& system, double duration) {
   made.slowest_decay = (-eigenvalues.real()).minCoeff();
   made.L = impulseSize(made, duration);
   return made;
-}
-
-double resolvingRk4Step(const Eigen::MatrixXd& A, double duration) {
-  constexpr double kLargestLoss = 0.05;
-  double step = std::numeric_limits<double>::infinity();
-  const Eigen::VectorXcd eigenvalues = A.eigenvalues();
-  for (const std::complex<double>& lambda : eigenvalues) {
-    const double remembered = -lambda.real() * duration > 1.0 ? -1.0 / lambda.real() : duration;
-    // remembered / h |h lambda|^5 / 120 = kLargestLoss; a motion without stiffness (lambda = 0) asks for nothing.
-    step = std::min(step, std::pow(120.0 * kLargestLoss / (remembered * std::pow(std::abs(lambda), 5)), 0.25));
-  }
-  return step;
 }
 
 }  // namespace vehicle

@@ -33,11 +33,4 @@ struct Sensitivity {
 /// @throws std::invalid_argument if the system has no matrices or duration is not > 0
 [[nodiscard]] Sensitivity sensitivityOf(const System& system, double duration);
 
-/// Largest step at which the classical Runge-Kutta method follows every mode, so that its error falls with order 4 and
-/// Richardson's extrapolation tells it. A mode loses |h lambda|^5 / 120 of itself a step; over the steps that it
-/// remembers, or the whole run, that stays below 1/20. Such a step is stable too: a mode on the real axis has
-/// h |lambda| < 1.6, of 2.8 allowed.
-/// @param duration  [s] of the run
-[[nodiscard]] double resolvingRk4Step(const Eigen::MatrixXd& A, double duration);
-
 }  // namespace vehicle

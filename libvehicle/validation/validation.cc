@@ -12,6 +12,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "libvehicle/excitation/excitation.h"
+#include "libvehicle/linear/motion_rates.h"
+#include "libvehicle/simulate/run_plan.h"
 
 namespace vehicle {
 namespace {
@@ -73,14 +75,14 @@ class Case {
   /// What simulate() would refuse, told before anything is built of it.
   void requireRunnable() const {
     requireRight(vehicle_, scenario_);
-    const double step = choice_.run.step;
+    const double step = choice_.run.step.value_or(kDefaultStep);
     if (!(std::isfinite(step) && step > 0.0))
       throw std::invalid_argument(fmt::format("step = {} s, must be finite and > 0", step));
   }
 
   void plan() {
     requireRunnable();
-    add("matrix", "exact", 1, choice_.run.step);
+    add("matrix", "exact", 1, largestStep());
     std::vector<std::string> forms = choice_.forms;
     if (forms.empty()) {
       for (const std::string& form : formNames()) {
@@ -114,8 +116,10 @@ class Case {
     }
   }
 
+  [[nodiscard]] double largestStep() const { return choice_.run.step.value_or(kDefaultStep); }
+
   void planMethod(const std::string& form, const std::string& method) {
-    const double step = isRk4(method) ? stepOf(form) : choice_.run.step;
+    const double step = isRk4(method) ? stepOf(form) : largestStep();
     add(form, method, 1, step);
     if (isRk4(method)) add(form, method, 2, step);
     if (form != "flat") return;
@@ -128,12 +132,12 @@ class Case {
   double stepOf(const std::string& form) {
     Equations& own = equations(form);
     if (!own.rk4_step) {
-      const double resolving = resolvingRk4Step(own.system->linear()->A, duration());
-      own.rk4_step = std::min(choice_.run.step, resolving);
-      if (resolving < choice_.run.step) {
+      const double resolving = MotionRates(*own.system).resolvingRk4Step(duration());
+      own.rk4_step = std::min(largestStep(), resolving);
+      if (resolving < largestStep()) {
         report_.notes.push_back(
             fmt::format("rk4 takes steps of {:.3g} ms instead of {:.4g} ms: the fastest mode of {} asks for it",
-                        1e3 * resolving, 1e3 * choice_.run.step, report_.vehicle));
+                        1e3 * resolving, 1e3 * largestStep(), report_.vehicle));
       }
     }
     return *own.rk4_step;
@@ -182,6 +186,7 @@ class Case {
   bool run(std::size_t index) {
     ValidationRun& run = report_.runs[index];
     RunChoice choice = choice_.run;
+    choice.measures = false;
     choice.form = run.key.form;
     choice.method = run.key.method;
     choice.refine = run.key.refine;
@@ -291,6 +296,7 @@ class Case {
     Scenario finer = scenario_;
     finer.run.output_step = step;
     RunChoice choice = choice_.run;
+    choice.measures = false;
     choice.form = form;
     choice.method = "exact";
     return simulate(vehicle_, finer, choice).history;

@@ -1,7 +1,9 @@
 #include "libvehicle/diagnostics/warning.h"
 
 #include <cctype>
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -31,6 +33,16 @@ TEST(WarningKinds, StandInTheOrderOfTheirCodesAndHaveAWordAndASentenceEach) {
     EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.word;
     for (const char c : kind.word) EXPECT_TRUE(c == '_' || std::isupper(static_cast<unsigned char>(c))) << kind.word;
   }
+}
+
+TEST(WarningKinds, AreAllListedOnThePageInTheirOrder) {
+  std::string rows;
+  for (const WarningKind& kind : warningKinds()) {
+    rows.append("| `").append(kind.word).append("` | ").append(kind.sentence).append(" |\n");
+  }
+  std::ostringstream page;
+  page << std::ifstream(VEHICLE_SOURCE_DIR "/docs/warnings.md").rdbuf();
+  EXPECT_NE(page.str().find("|---|---|\n" + rows), std::string::npos) << "docs/warnings.md should list:\n" << rows;
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ void expectScalarRuns(const std::vector<EnsembleDesign>& designs, const std::vec
   const EnsembleResult result =
       shared ? runEnsemble(designs, *rails[0], run, store) : runEnsemble(designs, rails, run, store);
   ASSERT_TRUE(result.failures.empty());
-  const int first = static_cast<int>(std::ceil(run.settle / run.output_step - 1e-9));
   for (std::size_t i = 0; i < designs.size(); ++i) {
-    const auto history = historyOf(designs[i], *rails[i], run, first);
+    const ScalarRun scalar = scalarRun(designs[i], *rails[i], run);
+    const auto& history = scalar.history;
     ASSERT_EQ(stored[i].size(), history.size());
     for (std::size_t k = 0; k < run.columns.size(); ++k) {
       const auto column = static_cast<std::size_t>(run.columns[k]);
@@ -50,13 +50,12 @@ void expectScalarRuns(const std::vector<EnsembleDesign>& designs, const std::vec
         worst = std::max(worst, std::abs(stored[i][n][k] - history[n][column]));
       }
       EXPECT_WITHIN(worst, 0.0, allowed) << "design " << i << " column " << column;
-      const ColumnSummary truth = summaryOf(history, column);
+      const ColumnSummary& truth = scalar.summaries[column];
       const ColumnSummary& ours = result.summaries[i * run.columns.size() + k];
       EXPECT_WITHIN(ours.mean, truth.mean, allowed) << "design " << i << " column " << column;
       EXPECT_WITHIN(ours.rms, truth.rms, allowed) << "design " << i << " column " << column;
       EXPECT_WITHIN(ours.lowest, truth.lowest, allowed) << "design " << i << " column " << column;
       EXPECT_WITHIN(ours.highest, truth.highest, allowed) << "design " << i << " column " << column;
-      EXPECT_WITHIN(ours.peak(), peakOf(history, column), allowed) << "design " << i << " column " << column;
     }
   }
 }
@@ -123,6 +122,62 @@ TEST_P(Lanes, TakeOtherStepsAndRefinements) {
   const auto designs = asymmetricDesigns(3);
   expectScalarRuns(designs, {&rail, &rail, &rail}, run, true);
   expectScalarRuns(designs, {&rail, &rail, &rail}, run, false);
+}
+
+// Points between output samples, as a fast design or a fast wave asks for them.
+TEST_P(Lanes, MeasureBetweenOutputSamples) {
+  const Input rail = railOf({.onset = true, .bump = 0.02});
+  EnsembleRun run = everything(GetParam(), 0.25);
+  run.fastest = 200.0;  // 3.2 points
+  const auto designs = asymmetricDesigns(5);
+  expectScalarRuns(designs, std::vector<const Input*>(5, &rail), run, true);
+  expectScalarRuns(designs, std::vector<const Input*>(5, &rail), run, false);
+  run.steps = 6;
+  run.step = {.step = 5e-3 / 6};
+  expectScalarRuns(designs, std::vector<const Input*>(5, &rail), run, true);
+  expectScalarRuns(designs, std::vector<const Input*>(5, &rail), run, false);
+}
+
+TEST_P(Lanes, EndWhereTheRunEndsAndNotOnASample) {
+  const Input rail = railOf({.end = 0.5033, .onset = true});
+  const auto designs = asymmetricDesigns(3);
+  expectScalarRuns(designs, {&rail, &rail, &rail}, everything(GetParam()), true);
+  expectScalarRuns(designs, {&rail, &rail, &rail}, everything(GetParam()), false);
+}
+
+TEST(Ensemble, RailsOfOtherPointsAreRunApart) {
+  const Input slow = railOf({});
+  const Input fast = railOf({.wavelength = {25.0, 0.5}});
+  const std::vector<const Input*> rails = {&slow, &fast};
+  const std::vector<EnsembleDesign> designs = symmetricDesigns(2);
+  EXPECT_EQ(ensembleCut(slow, {}), 1);
+  EXPECT_GT(ensembleCut(fast, {}), 1);
+  EXPECT_NE(refusalOf([&] { (void)runEnsemble(designs, rails, {}); }).find("run them apart"), std::string::npos);
+}
+
+// What left the model's range: the lowest of all wheel loads and the largest motion, of the samples that count.
+TEST_P(Lanes, KnowHowFarADesignWent) {
+  const Input rail = railOf({});
+  EnsembleRun run = everything(GetParam(), 0.3);
+  const std::vector<EnsembleDesign> designs = asymmetricDesigns(5);
+  const EnsembleResult result = runEnsemble(designs, rail, run);
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    double lowest = HUGE_VAL, share = 0.0;
+    for (const std::vector<double>& row : scalarRun(designs[i], rail, run).history) {
+      const auto at = [&](FlatColumn column, int further = 0) {
+        return row[static_cast<std::size_t>(static_cast<int>(column) + further)];
+      };
+      share = std::max(share, std::abs(at(FlatColumn::kCarbodyPitch)) / kMostFlatPitch);
+      share = std::max(share, std::abs(at(FlatColumn::kSecondaryFrontDeflection)) / kMostFlatTravel);
+      share = std::max(share, std::abs(at(FlatColumn::kSecondaryRearDeflection)) / kMostFlatTravel);
+      for (int j = 0; j < 4; ++j) {
+        share = std::max(share, std::abs(at(FlatColumn::kPrimary1Deflection, 2 * j)) / kMostFlatTravel);
+        lowest = std::min(lowest, at(FlatColumn::kWheel1Load, 2 * j));
+      }
+    }
+    EXPECT_WITHIN(result.extents[i].lowest_load, lowest, kRounding * std::abs(lowest));
+    EXPECT_WITHIN(result.extents[i].largest_share, share, kRounding * share);
+  }
 }
 
 // A measured rail: a cubic a sample of 7 ms, so that nearly every interval has a kink of its own place.
@@ -293,7 +348,7 @@ TEST(Ensemble, NamesWhatDoesNotFit) {
             "ensemble: settle = -1 s, must be finite and >= 0");
   run.settle = 2.5;
   EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, rail, run); }),
-            "ensemble: settle = 2.5 s leaves no sample of a run of 2 s; settle less or run longer");
+            "ensemble: settle = 2.5 s leaves nothing of a run of 2 s; settle less or run longer");
   run.settle = 0.0;
   EXPECT_EQ(refusalOf([&] { (void)runEnsemble(designs, one, run); }),
             "ensemble: 1 rails for 2 designs, must be one a design and none null");

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <vector>
 
 #include "libvehicle/ensemble/ensemble.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
+#include "libvehicle/result/column_summary.h"
+#include "libvehicle/system/sample_weights.h"
 #include "tests/support/tolerance.h"
 
 // The witness: one design at a time by runFixedStep() and the columns of flat/flat_form.cc written anew.
@@ -41,35 +43,55 @@ inline std::vector<double> columnsAt(const EnsembleDesign& design, const double*
   return y;
 }
 
-/// History of all columns, shape (samples)(columns), samples before `first` left out.
-inline std::vector<std::vector<double>> historyOf(const EnsembleDesign& design, const Input& rail,
-                                                  const EnsembleRun& run, int first = 0) {
-  std::vector<std::vector<double>> history;
+/// What a run leaves behind.
+struct ScalarRun {
+  std::vector<std::vector<double>> history;  // (points of the regular grid that count)(columns)
+  std::vector<ColumnSummary> summaries;      // (columns)
+};
+
+/// One design by runFixedStep() over the same measured schedule, both sides of every breakpoint evaluated.
+inline ScalarRun scalarRun(const EnsembleDesign& design, const Input& rail, const EnsembleRun& run) {
+  ScalarRun made;
+  Sampling sampling{.output_step = run.output_step, .fastest = run.fastest, .steps = run.steps};
+  if (run.settle > 0.0) {
+    sampling.count_from = SampleGrid(0.0, run.output_step).time(firstCounted(run.settle, run.output_step));
+  }
+  const Schedule schedule(rail, sampling);
   Rk4<FlatRhs, 8> stepper{FlatRhs(design.vehicle)};
-  const Schedule schedule(rail, run.output_step);
+  ColumnSummaries summaries(kFlatColumns);
+  auto next = schedule.stretches().begin();
+  std::optional<SampleWeights> weights;
+  const auto columns = [&](int segment, double t, std::span<const double> x) {
+    std::array<double, 12> u{};
+    rail.evaluate(segment, t, u);
+    return columnsAt(design, x.data(), u.data());
+  };
+  const auto begin = [&](int segment, double t, std::span<const double> x) {
+    weights.reset();
+    if (!next.part().counts) return;
+    weights.emplace(schedule, next.part());
+    summaries.begin(t, (*weights)[0], columns(segment, t, x));
+  };
   runFixedStep(stepper, rail, schedule, run.step, design.start,
                [&](int sample, int segment, double t, std::span<const double> x) {
-                 if (sample < first) return true;
-                 std::array<double, 12> u{};
-                 rail.evaluate(segment, t, u);
-                 history.push_back(columnsAt(design, x.data(), u.data()));
+                 int regular = 0;
+                 if (sample == 0) {
+                   begin(segment, t, x);
+                 } else {
+                   const Stretch stretch = *next;
+                   const Schedule::Part& part = next.part();
+                   const std::size_t own = next.index() - part.first_stretch + 1;
+                   if (weights) summaries.add(t, (*weights)[own], columns(stretch.segment, t, x));
+                   regular = stretch.regular;
+                   const bool ends = own == part.count;
+                   ++next;
+                   if (ends && !(next == schedule.stretches().end())) begin(segment, t, x);
+                 }
+                 if (regular >= 0 && t >= sampling.count_from) made.history.push_back(columns(segment, t, x));
                  return true;
                });
-  return history;
-}
-
-/// Summary of a column of a history.
-inline ColumnSummary summaryOf(const std::vector<std::vector<double>>& history, std::size_t column) {
-  ColumnSummary s{0.0, 0.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const std::vector<double>& row : history) {
-    s.mean += row[column];
-    s.rms += row[column] * row[column];
-    s.lowest = std::min(s.lowest, row[column]);
-    s.highest = std::max(s.highest, row[column]);
-  }
-  s.mean /= static_cast<double>(history.size());
-  s.rms = std::sqrt(s.rms / static_cast<double>(history.size()));
-  return s;
+  made.summaries = summaries.summaries();
+  return made;
 }
 
 /// Largest |value| of a column.

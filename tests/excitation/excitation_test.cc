@@ -38,7 +38,7 @@ void expectPaperRail(History history, const std::string& name) {
   const Schedule schedule(input, 5e-3);
   ASSERT_EQ(schedule.samples(), 2001);
   std::vector<int> segment_at(2001, schedule.stretches().front().segment);
-  for (const Stretch& each : schedule.stretches()) {
+  for (const Stretch each : schedule.stretches()) {
     if (each.sample >= 0) segment_at[static_cast<std::size_t>(each.sample)] = each.next;
   }
   std::ifstream file(std::string(VEHICLE_SOURCE_DIR) + "/tests/excitation/data/" + name);

@@ -30,7 +30,7 @@ Way pacedWay(Scheme scheme, int threads, std::function<double()> step_time) {
             const std::vector<double> x(8, 0.0);
             observe(0, 0, 0.0, x);
             const double step = step_time();
-            for (const Stretch& stretch : schedule.stretches()) {
+            for (const Stretch stretch : schedule.stretches()) {
               const auto begin = std::chrono::steady_clock::now();
               const double seconds = step * stepsOf(stretch.end - stretch.begin, {1e-3});
               while (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds) {

@@ -1,6 +1,8 @@
 #include "libvehicle/system/schedule.h"
 
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -25,19 +27,19 @@ Input cutAt(const std::vector<double>& borders) {
 // What every schedule keeps: stretches join, none is a sliver, samples come in order, the segments hold there.
 void expectSound(const Input& input, const Schedule& schedule) {
   const double same = 1e-9 * schedule.outputStep();
-  const auto& stretches = schedule.stretches();
+  const auto stretches = schedule.stretches();
   double reached = input.begin();
   int sample = 0;
   ASSERT_FALSE(stretches.empty());
   for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& stretch = stretches[i];
+    const Stretch stretch = stretches[i];
     EXPECT_EQ(stretch.begin, reached) << "stretch " << i;
     EXPECT_GT(stretch.end - stretch.begin, same) << "stretch " << i;
     EXPECT_GE(stretch.begin, input.segment(stretch.segment).begin - same) << "stretch " << i;
     EXPECT_LE(stretch.end, input.segment(stretch.segment).end + same) << "stretch " << i;
     if (stretch.sample >= 0) {
       EXPECT_EQ(stretch.sample, ++sample);
-      EXPECT_NEAR(stretch.end, schedule.time(sample), same);
+      EXPECT_EQ(stretch.end, schedule.time(sample));
     }
     if (i + 1 < stretches.size()) {
       EXPECT_EQ(stretch.next, stretches[i + 1].segment) << "stretch " << i;
@@ -64,7 +66,7 @@ TEST(Schedule, KinkThatIsASampleUpToRoundingLeavesNoSliver) {
   const Schedule schedule(input, 5e-3);
   EXPECT_EQ(schedule.samples(), 61);
   ASSERT_EQ(schedule.stretches().size(), 60u);
-  const Stretch& before = schedule.stretches()[29];
+  const Stretch before = schedule.stretches()[29];
   EXPECT_EQ(before.sample, 30);
   EXPECT_EQ(before.end, kink);
   EXPECT_EQ(before.segment, 0);
@@ -126,13 +128,19 @@ TEST(Schedule, KinksCloserThanABillionthOfAStepAreOne) {
   expectSound(input, schedule);
 }
 
-TEST(Schedule, RemainderAfterTheLastSampleIsNotRun) {
+TEST(Schedule, TheLastSampleIsTheEndOfTheRunWhereverThatLies) {
   const Input input = cutAt({2.0, 2.97, 3.03});
   const Schedule schedule(input, 0.1);
-  EXPECT_EQ(schedule.samples(), 11);
-  EXPECT_EQ(schedule.stretches().back().sample, 10);
-  EXPECT_DOUBLE_EQ(schedule.stretches().back().end, 3.0);
+  EXPECT_EQ(schedule.samples(), 12);
+  EXPECT_EQ(schedule.outputs(), 12);
+  const Stretch last = schedule.stretches().back();
+  EXPECT_EQ(last.sample, 11);
+  EXPECT_EQ(last.output, 11);
+  EXPECT_EQ(last.regular, -1);
+  EXPECT_EQ(last.begin, 3.0);
+  EXPECT_EQ(last.end, 3.03);
   EXPECT_EQ(schedule.time(0), 2.0);
+  EXPECT_EQ(schedule.time(11), 3.03);
   expectSound(input, schedule);
 }
 
@@ -172,6 +180,116 @@ TEST(SampleAt, NamesASampleOnlyWithinABillionthOfAStep) {
   EXPECT_EQ(sampleAt(0.0, 5e-3, -5e-3), -1);
   EXPECT_EQ(sampleAt(-5e-3, 5e-3, 0.0), 1);
   EXPECT_EQ(sampleAt(0.0, 5e-3, 1e300), -1);
+}
+
+// 3 * 0.1 is one rounding above the double nearest to 0.3.
+TEST(SampleGrid, TimesOfADecimalStepAreTheDoublesNearestToTheDecimals) {
+  EXPECT_NE(3 * 0.1, 0.3);
+  EXPECT_EQ(SampleGrid(0.0, 0.1).time(3), 0.3);
+  EXPECT_EQ(SampleGrid(0.0, 0.005).time(7), 0.035);
+  EXPECT_EQ(SampleGrid(0.0, 5.7).time(631), 3596.7);
+  // Points between them never move the samples themselves.
+  for (const int cut : {2, 3, 7, 20}) {
+    for (int i = 0; i < 1000; ++i) {
+      ASSERT_EQ(SampleGrid(0.0, 0.005).time(std::int64_t{i} * cut, cut), SampleGrid(0.0, 0.005).time(i)) << cut;
+    }
+  }
+  EXPECT_EQ(SampleGrid(0.0, 1.0 / 3.0).time(3), 3 * (1.0 / 3.0));
+}
+
+/// A rail of one harmonic in each of these intervals.
+Input wavesAt(const std::vector<double>& borders, const std::vector<double>& angular_frequencies) {
+  std::vector<InputSegment> segments;
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    InputSegment piece;
+    piece.begin = borders[i];
+    piece.end = borders[i + 1];
+    piece.polynomial.assign(4, 0.0);
+    piece.angular_frequency = {angular_frequencies[i]};
+    piece.cosine = {0.0};
+    piece.sine = {1e-3};
+    segments.push_back(piece);
+  }
+  return Input(1, std::move(segments));
+}
+
+TEST(MeasuredSchedule, CutsOutputStepsByTheFastestMotionOfTheSystem) {
+  const Input input = cutAt({0.0, 1.0});
+  for (const double fastest : {10.0, 62.0, 63.0, 1257.0}) {
+    const Schedule schedule(input, Sampling{.output_step = 5e-3, .fastest = fastest});
+    const double turn = 2.0 * std::numbers::pi / fastest;
+    const double apart = 5e-3 / schedule.cut();
+    EXPECT_LE(apart, turn / kPointsPerTurn * (1.0 + 1e-5)) << fastest;
+    EXPECT_GT(schedule.cut() == 1 ? HUGE_VAL : 5e-3 / (schedule.cut() - 1), turn / kPointsPerTurn) << fastest;
+    EXPECT_EQ(schedule.outputs(), 201);
+    EXPECT_EQ(schedule.samples(), 200 * schedule.cut() + 1);
+    int output = 0;
+    for (const Stretch stretch : schedule.stretches()) {
+      if (stretch.output < 0) continue;
+      EXPECT_EQ(stretch.output, ++output);
+      EXPECT_EQ(stretch.end, SampleGrid(0.0, 5e-3).time(output));
+    }
+    EXPECT_EQ(output, 200);
+    expectSound(input, schedule);
+  }
+}
+
+// A bump of a millisecond is followed by itself; the run around it is not.
+TEST(MeasuredSchedule, FollowsAPassingBumpWhileItLastsAndALastingWaveAllTheTime) {
+  const double bump = std::numbers::pi / 1e-3;
+  const Input passing = wavesAt({0.0, 0.5021, 0.5031, 1.0}, {3.0, bump, 3.0});
+  const Schedule around(passing, Sampling{.output_step = 5e-3, .fastest = 10.0});
+  EXPECT_EQ(around.cut(), 1);
+  EXPECT_LT(around.samples(), 201 + 2 + 30);
+  for (const Stretch stretch : around.stretches()) {
+    if (stretch.segment != 1) continue;
+    EXPECT_LE(stretch.end - stretch.begin, 2.0 * std::numbers::pi / bump / kPointsPerTurn * 1.001);
+  }
+  const Input lasting = wavesAt({0.0, 1.0}, {bump});
+  EXPECT_EQ(Schedule(lasting, Sampling{.output_step = 5e-3, .fastest = 10.0}).cut(), 50);
+}
+
+TEST(MeasuredSchedule, SeesBothSidesOfEveryBreakpoint) {
+  const Input input = cutAt({0.0, 0.1234, 0.25, 1.0});
+  const Schedule schedule(input, Sampling{.output_step = 0.05});
+  EXPECT_EQ(schedule.samples(), 22);
+  EXPECT_EQ(schedule.outputs(), 21);
+  EXPECT_EQ(schedule.stretches()[2].sample, 3);
+  EXPECT_EQ(schedule.stretches()[2].end, 0.1234);
+  EXPECT_EQ(schedule.stretches()[2].output, -1);
+  EXPECT_EQ(schedule.stretches()[2].next, 1);
+  EXPECT_EQ(schedule.time(3), 0.1234);
+  expectSound(input, schedule);
+}
+
+TEST(MeasuredSchedule, SamplesEndFixedSteps) {
+  const Input input = cutAt({0.0, 1.0});
+  for (const int steps : {1, 5, 6, 7, 12}) {
+    const Schedule schedule(input, Sampling{.output_step = 5e-3, .fastest = 150.0, .steps = steps});  // 2.4 points
+    EXPECT_EQ(steps % schedule.cut(), 0) << steps;
+    EXPECT_EQ(schedule.isResolved(), schedule.cut() >= 3) << steps;
+  }
+}
+
+TEST(MeasuredSchedule, CountsFromAnOutputSampleOn) {
+  const Input input = cutAt({0.0, 0.27, 1.0});
+  const Schedule schedule(input, Sampling{.output_step = 0.1, .count_from = 0.3});
+  double counted = 0.0;
+  for (const Schedule::Part& part : schedule.parts()) counted += part.counts ? part.end - part.begin : 0.0;
+  EXPECT_DOUBLE_EQ(counted, 0.7);
+  ASSERT_EQ(schedule.parts().size(), 3u);
+  EXPECT_EQ(schedule.parts()[1].next, 1);
+  expectSound(input, schedule);
+}
+
+// What a run keeps of its schedule must not grow with its length: ten million samples, one part.
+TEST(Schedule, MemoryGoesWithTheSegments) {
+  const Input input = cutAt({0.0, 5e4});
+  const Schedule schedule(input, 5e-3);
+  EXPECT_EQ(schedule.stretches().size(), 10'000'000u);
+  EXPECT_EQ(schedule.parts().size(), 1u);
+  EXPECT_EQ(schedule.wholeFrom(0), 10'000'000u);
+  EXPECT_EQ(schedule.stretches()[9'999'999].end, 5e4);
 }
 
 }  // namespace

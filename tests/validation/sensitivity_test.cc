@@ -68,22 +68,5 @@ TEST(Sensitivity, ADurationThatIsNotPositiveIsRefused) {
   EXPECT_THROW(static_cast<void>(sensitivityOf(Oscillator(1.0, 0.1), 0.0)), std::invalid_argument);
 }
 
-// 120 * 0.05 / (T w^5) to the power 1/4 for an undamped mode; rounding of pow and of the eigenvalue.
-TEST(ResolvingRk4Step, OfAnUndampedModeFollowsFromItsLossOverTheRun) {
-  const double w = 3.0, duration = 40.0;
-  EXPECT_WITHIN(resolvingRk4Step(Oscillator(w, 0.0).linear()->A, duration),
-                std::pow(6.0 / (duration * std::pow(w, 5)), 0.25), 1e-12);
-}
-
-// rk4 is stable on the real axis up to h |lambda| = 2.785.
-TEST(ResolvingRk4Step, IsStableOnTheRealAxis) {
-  const Eigen::MatrixXd A{{-100.0, 0.0}, {0.0, -1.0}};
-  EXPECT_LT(resolvingRk4Step(A, 10.0) * 100.0, 1.6);
-}
-
-TEST(ResolvingRk4Step, AMotionWithoutStiffnessAsksForNothing) {
-  EXPECT_TRUE(std::isinf(resolvingRk4Step(Eigen::MatrixXd{{0.0, 1.0}, {0.0, 0.0}}, 10.0)));
-}
-
 }  // namespace
 }  // namespace vehicle

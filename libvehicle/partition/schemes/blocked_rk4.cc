@@ -196,7 +196,7 @@ Statistics runBlockedRk4(const System& system, const Input& input, const Schedul
 
   std::vector<double> x(x0.begin(), x0.end());
   Statistics statistics;
-  const Stretch& start = schedule.stretches().front();
+  const Stretch start = schedule.stretches().front();
   statistics.stopped = !observe(0, start.segment, start.begin, x);
   if (statistics.stopped) return statistics;
   const std::vector<int>& order = cut.set().stateOrder();

@@ -79,7 +79,7 @@ PartitionRun runExactRows(const System& system, const Input& input, const Schedu
   std::vector<int> values;
   for (const std::vector<int>& share : run.shares) values.push_back(2 * static_cast<int>(share.size()));
   Exchange exchange(values);
-  const Stretch& first = schedule.stretches().front();
+  const Stretch first = schedule.stretches().front();
   Statistics& statistics = run.statistics;
   run.team = runTeam(choice.team, [&](Member& me) {
     const bool shows = me.number() == 0;

@@ -147,7 +147,7 @@ PartitionRun runHaloExchange(const System& system, const Input& input, const Sch
   const HaloPlan plan(graph, run.shares);
   Exchange exchange(plan.values());
   SampleRing ring("rk4", choice.team.threads, cut.set().size(), observe);
-  const Stretch& start = schedule.stretches().front();
+  const Stretch start = schedule.stretches().front();
   run.team = runTeam(choice.team, [&](Member& me) {
     if (me.number() == 0 && !ring.begin(me, start.segment, start.begin, x0)) return;
     HaloMember work(cut, graph, plan, exchange, me);

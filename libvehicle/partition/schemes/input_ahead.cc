@@ -16,7 +16,7 @@ InputParcels::InputParcels(const Schedule& schedule, FixedStep step) {
   long done = 0;  // steps
   for (std::size_t first = 0; first < stretches;) {
     const StepGrid grid = stepGridAt(schedule, first, step);
-    const Stretch& begin = schedule.stretches()[first];
+    const Stretch begin = schedule.stretches()[first];
     const int steps = grid.steps * static_cast<int>(grid.count);
     grids_.push_back({begin.segment, begin.begin, grid.h, steps});
     if (steps > room) {

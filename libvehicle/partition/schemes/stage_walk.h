@@ -40,7 +40,7 @@ PartitionRun runStages(const System& system, const Input& input, const Schedule&
   const StagePlan plan(graph, run.shares);
   Exchange exchange(plan.values);
   SampleRing ring("rk4", choice.team.threads, cut.set().size(), observe);
-  const Stretch& start = schedule.stretches().front();
+  const Stretch start = schedule.stretches().front();
   const ChannelRun all{0, cut.set().channels()};
 
   // Alone, nobody's values are on their way: whole blocks are swept sooner than rows.

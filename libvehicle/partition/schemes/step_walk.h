@@ -40,16 +40,17 @@ struct StepPause {
 /// @throws std::invalid_argument for a wrong step (stepsOf)
 template <class Enter, class Move, class Pause>
 bool walkSteps(const Schedule& schedule, FixedStep step, int block, Enter enter, Move move, Pause pause) {
-  const std::vector<Stretch>& stretches = schedule.stretches();
+  const Schedule::Stretches stretches = schedule.stretches();
+  auto next = stretches.begin();
   long steps = 0;
   for (std::size_t first = 0; first < stretches.size();) {
     const StepGrid grid = stepGridAt(schedule, first, step);
-    const Stretch* stretch = &stretches[first];
-    const double begin = stretch->begin;
+    Stretch stretch = *next;
+    const double begin = stretch.begin;
     const int total = grid.steps * static_cast<int>(grid.count);
     int left = grid.steps;  // of this stretch
     for (int done = 0; done < total;) {
-      const StepBlock now{stretch->segment, begin, grid.h, done, std::min(done + block, total)};
+      const StepBlock now{stretch.segment, begin, grid.h, done, std::min(done + block, total)};
       enter(now);
       while (done < now.last) {
         const int stop = std::min(now.last, done + left);
@@ -59,10 +60,11 @@ bool walkSteps(const Schedule& schedule, FixedStep step, int block, Enter enter,
         if (left > 0 && done % kStepsPerBlock != 0) continue;
         StepPause here{.reached = begin + done * grid.h, .steps = steps};
         if (left == 0) {
-          here.sample = stretch->sample;
-          here.segment = stretch->next;
-          here.end = stretch->end;
-          ++stretch;
+          here.sample = stretch.sample;
+          here.segment = stretch.next;
+          here.end = stretch.end;
+          ++next;
+          if (done < total) stretch = *next;
           left = grid.steps;
         }
         if (!pause(here)) return false;

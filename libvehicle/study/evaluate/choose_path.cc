@@ -84,7 +84,7 @@ PathChoice choosePath(const StudyInputs& inputs) {
   }
   choice.kind = flat ? kEnsembleRuns : kSingleRuns;
   if (flat) {
-    choice.text = "runs by rk4 with steps of 1 ms or less, flat form, " + lanesText();
+    choice.text = "runs by rk4 with steps of 1 ms or less, as the fastest motion asks, flat form, " + lanesText();
   } else {
     const std::string form = defaultForm(inputs.vehicle);
     choice.text = "runs by " + defaultMethod(form, inputs.vehicle) + ", " + form +

@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "libvehicle/diagnostics/warning.h"
 #include "libvehicle/study/evaluate/evaluation.h"
 #include "libvehicle/study/study_inputs.h"
 
@@ -19,7 +21,8 @@ class DesignRows {
       : batch_(batch),
         parameters_(parameters),
         metrics_(metrics),
-        problems_(static_cast<std::size_t>(batch.range.size())) {}
+        problems_(static_cast<std::size_t>(batch.range.size())),
+        warnings_(problems_.size()) {}
 
   [[nodiscard]] std::size_t size() const { return problems_.size(); }
   [[nodiscard]] std::span<double> parameters(std::size_t design) { return row(design).first(parameters_); }
@@ -30,6 +33,10 @@ class DesignRows {
   void fail(std::size_t design, std::string why) {
     if (problems_[design].empty()) problems_[design] = why.empty() ? "failed" : std::move(why);
   }
+  /// Says where the design's results left what the model can say.
+  void warn(std::size_t design, WarningCode code) { warnings_[design].insert(code); }
+  [[nodiscard]] const std::set<WarningCode>& warnings(std::size_t design) const { return warnings_[design]; }
+
   [[nodiscard]] bool failed(std::size_t design) const { return !problems_[design].empty(); }
   [[nodiscard]] const std::string& problem(std::size_t design) const { return problems_[design]; }
 
@@ -43,6 +50,7 @@ class DesignRows {
   std::size_t parameters_;
   std::size_t metrics_;
   std::vector<std::string> problems_;  // (designs) empty where nothing is wrong
+  std::vector<std::set<WarningCode>> warnings_;  // (designs)
 };
 
 /// A metric and where its value goes.

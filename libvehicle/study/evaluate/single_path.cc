@@ -11,6 +11,7 @@
 #include "libvehicle/study/evaluate/flat_block.h"
 #include "libvehicle/study/evaluate/path.h"
 #include "libvehicle/study/evaluate/steady_statistic.h"
+#include "libvehicle/study/evaluate/summary_statistic.h"
 
 // Design by design, for what no lane of an ensemble can hold: any vehicle, any column.
 namespace vehicle {
@@ -68,6 +69,21 @@ class SinglePath : public Path {
   std::vector<std::vector<ColumnRequest>> requests_;  // (cases)
 };
 
+bool needsSamples(const ColumnRequest& request) {
+  return std::any_of(request.entries.begin(), request.entries.end(),
+                     [](const MetricPlace& each) { return !comesFromSummary(each.metric.statistic); });
+}
+
+/// A column from the first sample on that counts.
+std::vector<double> countedSamples(const TimeHistory& history, std::size_t column, double settle) {
+  const double step = history.at(1, 0) - history.at(0, 0);
+  std::vector<double> values = history.column(column);
+  std::size_t first = 0;
+  while (first < values.size() && history.at(first, 0) < settle - kSameInstant * step) ++first;
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+  return values;
+}
+
 class SingleRunPath final : public SinglePath {
  public:
   using SinglePath::SinglePath;
@@ -76,16 +92,19 @@ class SingleRunPath final : public SinglePath {
   void one(std::size_t study_case, std::size_t row, const Scenario& scenario, double speed, DesignRows& rows) override {
     RunChoice choice;
     choice.speed = speed;
+    choice.settle = inputs().study.settle;
+    const bool needs_samples = std::any_of(requests(study_case).begin(), requests(study_case).end(), needsSamples);
+    choice.keep = needs_samples ? Keep::kRegular : Keep::kNothing;
     const RunResult result = simulate(vehicle(), scenario, choice);
-    const double step = scenario.run.output_step;
-    const auto first = static_cast<std::size_t>(firstCounted(inputs().study.settle, step));
-    if (first >= result.history.samples()) {
-      throw std::invalid_argument("settle leaves no sample of the run; settle less or run longer");
-    }
+    for (const Warning& each : result.warnings) rows.warn(row, each.code);
     for (const ColumnRequest& request : requests(study_case)) {
-      const std::vector<double> values = result.history.column(request.column);
+      const std::size_t column = result.history.indexOf(request.column);
+      const std::vector<double> samples = needs_samples ? countedSamples(result.history, column, choice.settle) : std::vector<double>();
       for (const MetricPlace& entry : request.entries) {
-        rows.metric(row, entry.place) = statistic_(entry.metric, std::span(values).subspan(first), step);
+        rows.metric(row, entry.place) =
+            comesFromSummary(entry.metric.statistic)
+                ? fromSummary(entry.metric.statistic, result.summaries[column - 1])
+                : statistic_(entry.metric, samples, result.history.at(1, 0) - result.history.at(0, 0));
       }
     }
   }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "libvehicle/definition/topology.h"
+#include "libvehicle/diagnostics/warning.h"
+#include "libvehicle/linear/motion_rates.h"
+#include "libvehicle/statics/rest.h"
+
+namespace vehicle {
+
+/// What is doubtful of a vehicle before it moves:
+///     CANNOT_STAND     the stiffness about the loaded rest position, heights under static loads included, is negative in
+///                      some motion (that of M^-1/2 K M^-1/2 with the lowest eigenvalue is named)
+///     FREE_MODE        it is zero in some motion: there is no rest position
+///     GIVEN_LOADS      wheel loads of the file miss the weight of what they carry by more than 0.5 %
+///     REST_DEFLECTION  a spring comes down by more than 0.5 m
+/// Cost: an eigenvalue problem for each vehicle of a train.
+[[nodiscard]] Warnings restWarnings(const Topology& topology, const Rest& rest, double gravity);
+
+/// What is doubtful of the motions of a linear form:
+///     UNSTABLE_MODE    one grows by itself; left out where the vehicle cannot stand, which says more
+///     ILL_CONDITIONED  the fastest is so far from the slowest that rounding reaches a millionth of a result
+[[nodiscard]] Warnings motionWarnings(const MotionRates& rates, bool can_stand);
+
+}  // namespace vehicle

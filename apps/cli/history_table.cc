@@ -5,9 +5,10 @@
 namespace vehicle::cli {
 
 Table historyTable(const std::vector<Channel>& columns, const std::vector<ColumnSummary>& summaries, Format format) {
-  Table table{"columns",
-              {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"mean", ""}, {"rms", ""}},
-              {}};
+  Table table{
+      "columns",
+      {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"mean", ""}, {"rms", ""}},
+      {}};
   for (std::size_t j = 0; j < summaries.size(); ++j) {
     const ColumnSummary& summary = summaries[j];
     const Channel& column = columns[j + 1];

@@ -68,7 +68,8 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
       ->type_name("NAME")
       ->check(oneOf({"table", "csv", "json"}));
   command.add_flag("--quiet", options.quiet, "no progress and no notes on stderr; warnings and errors remain");
-  command.add_flag("--strict", options.strict, "exit status 4 where there is a warning   (default: warnings only print)");
+  command.add_flag("--strict", options.strict,
+                   "exit status 4 where there is a warning   (default: warnings only print)");
 }
 
 CLI::Option* addQuantity(CLI::App& command, const std::string& name, Dimension dimension, const std::string& help,
@@ -107,7 +108,8 @@ void addRunSettings(CLI::App& command, RunChoice& choice) {
               "running speed, e.g. \"20 m/s\", \"72 km/h\"   (default: from SCENARIO)",
               [&choice](double value) { choice.speed = value; });
   addQuantity(command, "--step", Dimension::kTime,
-              "rk4: largest step, shortened to end on samples and breakpoints of the rail\n(default: \"1 ms\", or less as the fastest motion asks)",
+              "rk4: largest step, shortened to end on samples and breakpoints of the rail\n(default: \"1 ms\", or less "
+              "as the fastest motion asks)",
               [&choice](double value) { choice.step = value; });
   addQuantity(command, "--rtol", Dimension::kNumber, "dopri5: relative tolerance   (default: 1e-10)",
               [&choice](double value) { choice.relative = value; });

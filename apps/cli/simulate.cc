@@ -35,8 +35,8 @@ int simulateAndStore(const Options& options) {
     ProgressBar bar(shown, durationOf(model.scenario), "s");
     RunChoice choice = options.choice;
     choice.keep = options.outputs.empty() ? Keep::kNothing : Keep::kOutputs;
-    result = simulate(model.vehicle, model.scenario, choice,
-                      [&](double share) { return bar.update(share, "simulate"); });
+    result =
+        simulate(model.vehicle, model.scenario, choice, [&](double share) { return bar.update(share, "simulate"); });
   }
   const RunRecord record = recordOf(options.files, model, options.choice, result);
   for (const std::string& output : options.outputs) writeHistory(output, record);

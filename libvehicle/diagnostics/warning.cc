@@ -10,23 +10,29 @@ namespace vehicle {
 namespace {
 
 constexpr std::array kKinds = {
-    WarningKind{WarningCode::kWheelLoad, "WHEEL_LOAD",
-                "A wheel load fell below 0: the contact would have to pull, and a rail only pushes. From that instant on "
-                "the result is not that of a vehicle."},
+    WarningKind{
+        WarningCode::kWheelLoad, "WHEEL_LOAD",
+        "A wheel load fell below 0: the contact would have to pull, and a rail only pushes. From that instant on "
+        "the result is not that of a vehicle."},
     WarningKind{WarningCode::kLargeMotion, "LARGE_MOTION",
                 "A body pitched by more than 0.1 rad or a spring moved by more than 0.5 m: the linear equations do not "
                 "hold that far."},
-    WarningKind{WarningCode::kUnstableStep, "UNSTABLE_STEP",
-                "At this step the method grows although the vehicle does not. Take a shorter step or leave --step out."},
-    WarningKind{WarningCode::kCoarseStep, "COARSE_STEP",
-                "The step does not resolve the fastest motion of the vehicle. Take a shorter step or leave --step out."},
-    WarningKind{WarningCode::kCoarseSamples, "COARSE_SAMPLES",
-                "The run is so long that its fastest motion is not measured with enough samples: peaks may be too small."},
-    WarningKind{WarningCode::kCannotStand, "CANNOT_STAND",
-                "The loaded rest position is unstable: a small push is enough and the vehicle tips over. Look at heights "
-                "and stiffnesses."},
-    WarningKind{WarningCode::kUnstableMode, "UNSTABLE_MODE",
-                "A motion grows by itself, without any rail. Look at signs and values of the vehicle or take another form."},
+    WarningKind{
+        WarningCode::kUnstableStep, "UNSTABLE_STEP",
+        "At this step the method grows although the vehicle does not. Take a shorter step or leave --step out."},
+    WarningKind{
+        WarningCode::kCoarseStep, "COARSE_STEP",
+        "The step does not resolve the fastest motion of the vehicle. Take a shorter step or leave --step out."},
+    WarningKind{
+        WarningCode::kCoarseSamples, "COARSE_SAMPLES",
+        "The run is so long that its fastest motion is not measured with enough samples: peaks may be too small."},
+    WarningKind{
+        WarningCode::kCannotStand, "CANNOT_STAND",
+        "The loaded rest position is unstable: a small push is enough and the vehicle tips over. Look at heights "
+        "and stiffnesses."},
+    WarningKind{
+        WarningCode::kUnstableMode, "UNSTABLE_MODE",
+        "A motion grows by itself, without any rail. Look at signs and values of the vehicle or take another form."},
     WarningKind{WarningCode::kFreeMode, "FREE_MODE",
                 "Nothing holds a motion of a body: it has no rest position. Add a spring or leave the motion out."},
     WarningKind{WarningCode::kGivenLoads, "GIVEN_LOADS",

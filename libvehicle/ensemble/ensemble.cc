@@ -172,8 +172,8 @@ class OwnRails {
       plan = std::make_unique<ensemble::LanePlan>(*rail, scheduleOf(*rail, run_), run_.step);
       if (cut_ == 0) cut_ = plan->cut;
       if (plan->cut != cut_) {
-        throw std::invalid_argument("ensemble: an output step has " + std::to_string(plan->cut) + " points over one rail, " +
-                                    std::to_string(cut_) + " over another; run them apart");
+        throw std::invalid_argument("ensemble: an output step has " + std::to_string(plan->cut) +
+                                    " points over one rail, " + std::to_string(cut_) + " over another; run them apart");
       }
       first_stored_ = firstPoint(run_, cut_);
     }
@@ -233,8 +233,8 @@ class OwnRails {
   const StoredBlockSink& store_;
   ColumnChoice columns_;
   const ensemble::Kernels& kernels_;
-  int cut_ = 0;           // points of an output step
-  int first_stored_ = 0;  // point
+  int cut_ = 0;                                                        // points of an output step
+  int first_stored_ = 0;                                               // point
   std::map<const Input*, std::unique_ptr<ensemble::LanePlan>> plans_;  // of the batch, one a distinct rail
   EnsembleResult result_;
 };

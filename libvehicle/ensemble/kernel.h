@@ -14,9 +14,9 @@ inline constexpr int kLoadRow = 0;           // rows of Block::extra: wheel load
 inline constexpr int kMassRow = 4;
 inline constexpr int kArmRow = 8;
 inline constexpr int kExtraRows = 16;
-inline constexpr int kMetricRows = 6;        // sum, sum of squares, lowest, highest; values two samples and one ago
-inline constexpr int kRangeRows = 2;         // lowest wheel load [N]; largest motion as a share of what is allowed
-inline constexpr int kLookRows = 3;          // of a Look
+inline constexpr int kMetricRows = 6;  // sum, sum of squares, lowest, highest; values two samples and one ago
+inline constexpr int kRangeRows = 2;   // lowest wheel load [N]; largest motion as a share of what is allowed
+inline constexpr int kLookRows = 3;    // of a Look
 
 /// Columns to be computed.
 struct Choice {
@@ -80,8 +80,8 @@ struct LaneLeg {
   int steps = 0;      // of an interval; 0: a sample alone
   int intervals = 1;
   const double* looks = nullptr;  // (intervals x kLookRows rows)
-  int number = -1;    // of the first sample; negative: samples of some lanes alone, which are neither counted nor stored
-  int stored = -1;    // its row among those stored; negative: -k begins to store k samples later
+  int number = -1;  // of the first sample; negative: samples of some lanes alone, which are neither counted nor stored
+  int stored = -1;  // its row among those stored; negative: -k begins to store k samples later
 };
 
 /// Steady state under one harmonic.

@@ -46,7 +46,8 @@ LanePlan::LanePlan(const Input& rail, const Schedule& schedule, FixedStep step)
     }
   }
   const Schedule::Part& end = parts.back();
-  const std::int64_t last = end.first + static_cast<std::int64_t>(end.count) - 2;  // the point before the end of the run
+  const std::int64_t last =
+      end.first + static_cast<std::int64_t>(end.count) - 2;  // the point before the end of the run
   points = end.last_regular >= 0 ? end.last_regular + 1 : static_cast<int>(last / end.finer) + 1;
 }
 

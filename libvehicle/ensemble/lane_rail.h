@@ -16,23 +16,23 @@ namespace vehicle::ensemble {
 struct LanePlan {
   struct Piece {
     int segment = 0;
-    double begin = 0.0;        // [s]
-    double h = 0.0;            // [s]
-    int steps = 0;             // of a stretch
+    double begin = 0.0;  // [s]
+    double h = 0.0;      // [s]
+    int steps = 0;       // of a stretch
     int stretches = 1;
-    bool whole = false;        // stretches are whole steps of the regular grid, each ends on a point of it
+    bool whole = false;  // stretches are whole steps of the regular grid, each ends on a point of it
     std::size_t part = 0;
-    std::size_t first = 0;     // number of its first stretch in that part
+    std::size_t first = 0;  // number of its first stretch in that part
     bool ends_part = false;
   };
   const Input* input = nullptr;
   std::vector<Piece> pieces;
   std::vector<Schedule::Part> parts;
   std::vector<PartLooks> looks;  // (parts)
-  int cut = 1;                 // points of an output step
-  int points = 0;              // of the regular grid, the one at the start included
-  double measured = 0.0;       // [s] that counts
-  double point_step = 0.0;     // [s]
+  int cut = 1;                   // points of an output step
+  int points = 0;                // of the regular grid, the one at the start included
+  double measured = 0.0;         // [s] that counts
+  double point_step = 0.0;       // [s]
 
   LanePlan(const Input& rail, const Schedule& schedule, FixedStep step);
   [[nodiscard]] double time(int point) const { return input->begin() + point * point_step; }

@@ -34,10 +34,10 @@ class SharedRail {
   int first_stored_;
 
   bool begun_ = false;
-  Schedule::Iterator stretch_;  // the one that is being run
-  Stretch grid_begin_;          // the first of the grid
+  Schedule::Iterator stretch_;     // the one that is being run
+  Stretch grid_begin_;             // the first of the grid
   std::optional<PartLooks> part_;  // the one of the stretch
-  int number_ = 0;              // of the next sample
+  int number_ = 0;                 // of the next sample
   StepGrid grid_;
   int done_ = 0;             // steps of the grid
   int left_ = 0;             // steps of the stretch

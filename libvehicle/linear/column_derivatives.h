@@ -33,7 +33,7 @@ class ColumnDerivatives {
   Eigen::MatrixXd D_;        // (columns x 3 w)
   Eigen::VectorXd at_rest_;  // (columns) y0
   Eigen::Index channels_;
-  Eigen::MatrixXd rail_;     // (w x (order + 3)) derivatives of eta
+  Eigen::MatrixXd rail_;  // (w x (order + 3)) derivatives of eta
   Eigen::VectorXd x_, next_, u_;
   Eigen::MatrixXd y_;
 };

@@ -51,7 +51,7 @@ class MotionRates {
   std::vector<std::complex<double>> eigenvalues_;  // empty where there are too many states
   double norm_ = 0.0;                              // of the balanced matrix [1/s]
   double fastest_ = 0.0;
-  double slowest_ = 0.0, stiffest_ = 0.0;          // [rad/s] of the undamped system, of what has a stiffness
+  double slowest_ = 0.0, stiffest_ = 0.0;  // [rad/s] of the undamped system, of what has a stiffness
 };
 
 }  // namespace vehicle

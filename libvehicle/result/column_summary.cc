@@ -61,8 +61,9 @@ std::vector<ColumnSummary> ColumnSummaries::summaries() const {
   for (std::size_t i = 0; i < made.size(); ++i) {
     const Column& column = columns_[i];
     // Weights of an end may be negative, which rounding could show in a column of zeros.
-    made[i] = {column.sum / time_, std::sqrt(std::fmax(0.0, column.squares / time_)), column.lowest, column.highest,
-               column.lowest_at, column.highest_at};
+    made[i] = {column.sum / time_, std::sqrt(std::fmax(0.0, column.squares / time_)),
+               column.lowest,      column.highest,
+               column.lowest_at,   column.highest_at};
   }
   return made;
 }

@@ -8,8 +8,8 @@ namespace vehicle {
 
 /// Means and extremes of a column over the part of a run that is measured.
 struct ColumnSummary {
-  double mean = 0.0;        // (1/T) int y dt
-  double rms = 0.0;         // sqrt((1/T) int y^2 dt)
+  double mean = 0.0;  // (1/T) int y dt
+  double rms = 0.0;   // sqrt((1/T) int y^2 dt)
   double lowest = 0.0;
   double highest = 0.0;
   double lowest_at = 0.0;   // [s]
@@ -49,8 +49,8 @@ class ColumnSummaries {
   void look(Column& column, double t, double value) const;
 
   std::vector<Column> columns_;
-  double time_ = 0.0;    // sum of the weights
-  int known_ = 0;        // samples of this part, at most 2
+  double time_ = 0.0;  // sum of the weights
+  int known_ = 0;      // samples of this part, at most 2
   double t_before_ = 0.0;
   double t_previous_ = 0.0;
 };

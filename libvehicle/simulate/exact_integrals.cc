@@ -7,7 +7,7 @@ namespace vehicle {
 namespace {
 
 /// B_2k / (2k)!, k = 1 .. 6
-constexpr std::array kBernoulli = {1.0 / 12.0,       -1.0 / 720.0,         1.0 / 30240.0,
+constexpr std::array kBernoulli = {1.0 / 12.0,       -1.0 / 720.0,     1.0 / 30240.0,
                                    -1.0 / 1209600.0, 1.0 / 47900160.0, -691.0 / 1307674368000.0};
 constexpr int kOrder = 2 * static_cast<int>(kBernoulli.size()) - 1;  // highest derivative in the formula
 constexpr int kTaylor = 14;                                          // 0.5^15 / 15! is far below rounding
@@ -21,11 +21,7 @@ constexpr double binomial(int n, int k) {
 }  // namespace
 
 ExactIntegrals::ExactIntegrals(const System& system, const Input& input, const Schedule& schedule)
-    : input_(input),
-      schedule_(schedule),
-      derivatives_(system),
-      first_(system.outputs().size(), 0.0),
-      second_(first_) {}
+    : input_(input), schedule_(schedule), derivatives_(system), first_(system.outputs().size(), 0.0), second_(first_) {}
 
 void ExactIntegrals::begin(const Schedule::Part& part, double t, std::span<const double> x) {
   segment_ = part.segment;
@@ -42,7 +38,7 @@ void ExactIntegrals::begin(const Schedule::Part& part, double t, std::span<const
 }
 
 void ExactIntegrals::add(std::size_t own, double t, std::span<const double> x, std::span<const double> y) {
-  const std::size_t first = odd_first_ ? 1 : 0;                          // samples of the equal stretches
+  const std::size_t first = odd_first_ ? 1 : 0;  // samples of the equal stretches
   const std::size_t last = odd_last_ ? stretches_ - 1 : stretches_;
   const std::size_t sample = own + 1;
   if (sample < first || sample > last || first == last) {

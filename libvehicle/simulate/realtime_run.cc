@@ -138,8 +138,8 @@ RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, c
   const std::unique_ptr<System> system = buildForm(run.form, vehicle, scenario.gravity);
   const Input input = inputOf(scenario, topologyOf(vehicle), run.speed);
   run.steps = stepsIn(input, period);
-  const MotionRates rates = isLinearForm(run.form) ? MotionRates(*system)
-                                                   : MotionRates(*buildMatrixForm(vehicle, scenario.gravity));
+  const MotionRates rates =
+      isLinearForm(run.form) ? MotionRates(*system) : MotionRates(*buildMatrixForm(vehicle, scenario.gravity));
   if (auto warning = stepWarning(period, input.end() - input.begin(), rates, "--realtime")) {
     run.warnings.push_back(std::move(*warning));
   }

@@ -61,10 +61,10 @@ class Recorder {
   const Progress& progress_;
   TimeHistory history_;
   ColumnSummaries summaries_;
-  std::vector<double> u_;  // (3 w) heights, rates, accelerations
-  std::vector<double> y_;  // (columns after time)
-  Schedule::Iterator next_;                 // the stretch that ends at the next sample
-  std::optional<SampleWeights> weights_;    // of its part, where that counts
+  std::vector<double> u_;                 // (3 w) heights, rates, accelerations
+  std::vector<double> y_;                 // (columns after time)
+  Schedule::Iterator next_;               // the stretch that ends at the next sample
+  std::optional<SampleWeights> weights_;  // of its part, where that counts
   std::optional<ExactIntegrals> exact_;
   double reached_ = 0.0;
   long outputs_ = 0;

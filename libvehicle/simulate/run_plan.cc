@@ -19,10 +19,11 @@ std::optional<Warning> stepWarning(double step, double duration, const MotionRat
   warning.subject = option;
   warning.value = step;
   warning.unit = "s";
-  warning.message = fmt::format("a step of {:.4g} ms times the fastest motion of {:.4g} rad/s is {:.3g}; {}", 1e3 * step,
-                                rates.fastest(), step * rates.fastest(),
-                                grows ? "rk4 grows by itself beyond about 2.8"
-                                      : fmt::format("to follow it over this run takes {:.3g}", resolving * rates.fastest()));
+  warning.message =
+      fmt::format("a step of {:.4g} ms times the fastest motion of {:.4g} rad/s is {:.3g}; {}", 1e3 * step,
+                  rates.fastest(), step * rates.fastest(),
+                  grows ? "rk4 grows by itself beyond about 2.8"
+                        : fmt::format("to follow it over this run takes {:.3g}", resolving * rates.fastest()));
   warning.remedy = fmt::format("take at most {:.3g} ms, or leave {} out", 1e3 * resolving, option);
   return warning;
 }
@@ -46,10 +47,10 @@ RunPlan planOf(const PlanRequest& request, const MotionRates& rates) {
   const double resolving = rates.resolvingRk4Step(request.duration);
   if (resolving >= kDefaultStep) return plan;
   plan.step.step = resolving;
-  plan.notes.push_back(
-      fmt::format("rk4 takes steps of {:.3g} ms or less instead of {:g} ms: the fastest motion of the vehicle, {:.4g} rad/s, "
-                  "asks for it",
-                  1e3 * resolving, 1e3 * kDefaultStep, rates.fastest()));
+  plan.notes.push_back(fmt::format(
+      "rk4 takes steps of {:.3g} ms or less instead of {:g} ms: the fastest motion of the vehicle, {:.4g} rad/s, "
+      "asks for it",
+      1e3 * resolving, 1e3 * kDefaultStep, rates.fastest()));
   return plan;
 }
 

@@ -25,12 +25,12 @@ struct RunPlan {
 
 /// What a run is asked for, as far as its plan goes.
 struct PlanRequest {
-  bool fixed_step = false;       // the method makes equal steps (rk4, rk4_split)
-  std::optional<double> step;    // [s] given; empty: chosen
+  bool fixed_step = false;     // the method makes equal steps (rk4, rk4_split)
+  std::optional<double> step;  // [s] given; empty: chosen
   int refine = 1;
-  double output_step = 5e-3;     // [s]
-  double duration = 0.0;         // [s]
-  double settle = 0.0;           // [s] left out of the measurement, up to the next output sample
+  double output_step = 5e-3;  // [s]
+  double duration = 0.0;      // [s]
+  double settle = 0.0;        // [s] left out of the measurement, up to the next output sample
 };
 
 /// Without a step given, the one that resolves the fastest motion of the vehicle, at most kDefaultStep; where the rail is

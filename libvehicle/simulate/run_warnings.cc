@@ -24,8 +24,9 @@ class Ranges {
     // What rounding leaves of a load that just reaches 0 is no pull.
     if (found == nullptr || !(found->lowest < -1e-9 * found->peak())) return;
     Warning warning = make(WarningCode::kWheelLoad, column, found->lowest, found->lowest_at);
-    warning.message = fmt::format("falls to {:.4g} kN at t = {:.5g} s; a rail only pushes, and this contact cannot open",
-                                  found->lowest / 1e3, found->lowest_at);
+    warning.message =
+        fmt::format("falls to {:.4g} kN at t = {:.5g} s; a rail only pushes, and this contact cannot open",
+                    found->lowest / 1e3, found->lowest_at);
     warning.remedy = "the result from there on is not that of a vehicle; run slower or over a smaller irregularity";
     add(-found->lowest, std::move(warning));
   }

@@ -57,18 +57,17 @@ void requireMemory(const Schedule& schedule, const System& system, Keep keep) {
                   samples, columns, bytes / 1073741824.0, kMostHistoryBytes / 1073741824.0));
 }
 
-void append(Warnings more, Warnings& warnings) {
-  std::move(more.begin(), more.end(), std::back_inserter(warnings));
-}
+void append(Warnings more, Warnings& warnings) { std::move(more.begin(), more.end(), std::back_inserter(warnings)); }
 
 Warning coarseSamples(const Schedule& schedule) {
   Warning warning;
   warning.code = WarningCode::kCoarseSamples;
   warning.value = schedule.outputStep() / schedule.cut();
   warning.unit = "s";
-  warning.message = fmt::format("peaks, means and r.m.s. are of samples {:.3g} ms apart, too few for the fastest motion of so "
-                                "long a run",
-                                1e3 * *warning.value);
+  warning.message = fmt::format(
+      "peaks, means and r.m.s. are of samples {:.3g} ms apart, too few for the fastest motion of so "
+      "long a run",
+      1e3 * *warning.value);
   warning.remedy = "run shorter";
   return warning;
 }
@@ -115,23 +114,25 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   if (choice.measures) {
     const MotionRates rates = ratesOf(result.form, *system, vehicle, scenario.gravity);
     fastest = rates.fastest();
-    plan = planOf({.fixed_step = is_fixed_step, .step = choice.step, .refine = choice.refine,
-                   .output_step = scenario.run.output_step, .duration = input.end() - input.begin(),
+    plan = planOf({.fixed_step = is_fixed_step,
+                   .step = choice.step,
+                   .refine = choice.refine,
+                   .output_step = scenario.run.output_step,
+                   .duration = input.end() - input.begin(),
                    .settle = choice.settle},
                   rates);
     const Rest rest = restOf(topology, scenario.gravity);
     result.warnings = restWarnings(topology, rest, scenario.gravity);
-    const bool stands = std::none_of(result.warnings.begin(), result.warnings.end(), [](const Warning& each) {
-      return each.code == WarningCode::kCannotStand;
-    });
+    const bool stands = std::none_of(result.warnings.begin(), result.warnings.end(),
+                                     [](const Warning& each) { return each.code == WarningCode::kCannotStand; });
     append(motionWarnings(rates, stands), result.warnings);
     append(std::move(plan.warnings), result.warnings);
     result.notes = std::move(plan.notes);
   } else {
     plan.step = {choice.step.value_or(kDefaultStep), choice.refine};
   }
-  const Schedule schedule = choice.measures ? Schedule(input, plan.sampling)
-                                            : Schedule(input, scenario.run.output_step);
+  const Schedule schedule =
+      choice.measures ? Schedule(input, plan.sampling) : Schedule(input, scenario.run.output_step);
   requireMemory(schedule, *system, choice.keep);
   const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
   const MethodSettings settings{plan.step, {choice.relative, choice.absolute}, choice.accuracy};

@@ -29,9 +29,9 @@ struct RunChoice {
   double absolute = 1e-12;      // dopri5, in the state's unit
   double accuracy = 1e-10;      // simbody_rkm
 
-  Keep keep = Keep::kOutputs;   // what becomes the history
-  bool measures = true;         // peaks, means and warnings, from samples close enough; false: output samples alone
-  double settle = 0.0;          // [s] start of the run that summaries leave out, up to the next output sample
+  Keep keep = Keep::kOutputs;  // what becomes the history
+  bool measures = true;        // peaks, means and warnings, from samples close enough; false: output samples alone
+  double settle = 0.0;         // [s] start of the run that summaries leave out, up to the next output sample
 
   // Threads change the speed of a run and no bit of its result.
   int threads = 1;              // 0: as many as a short calibration finds to be fastest, 1 where none is

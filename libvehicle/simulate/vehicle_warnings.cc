@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include "libvehicle/definition/topology_part.h"
 #include "libvehicle/matrix/assembly.h"
@@ -114,8 +114,9 @@ void addGivenLoads(const TopologyPart& part, const Rest& rest, double gravity, W
   warning.subject = given->name + ".load";
   warning.value = load - weight;
   warning.unit = "N";
-  warning.message = fmt::format("the wheel loads that the file gives sum to {:.5g} kN with the others, the weight is {:.5g} kN",
-                                load / 1e3, weight / 1e3);
+  warning.message =
+      fmt::format("the wheel loads that the file gives sum to {:.5g} kN with the others, the weight is {:.5g} kN",
+                  load / 1e3, weight / 1e3);
   warning.remedy = "give loads that carry the weight, or leave them out: statics finds them";
   warnings.push_back(std::move(warning));
 }
@@ -132,8 +133,9 @@ void addRestDeflections(const Topology& topology, const Rest& rest, Warnings& wa
     warning.subject = suspension.name;
     warning.value = deflection;
     warning.unit = "m";
-    warning.message = fmt::format("comes down by {:.4g} mm at rest under {:.4g} kN; railway springs have less travel than {:g} mm",
-                                  1e3 * deflection, rest.suspension_load[s] / 1e3, 1e3 * kMostDeflection);
+    warning.message =
+        fmt::format("comes down by {:.4g} mm at rest under {:.4g} kN; railway springs have less travel than {:g} mm",
+                    1e3 * deflection, rest.suspension_load[s] / 1e3, 1e3 * kMostDeflection);
     warning.remedy = "look at its stiffness and at the masses that it carries";
     warnings.push_back(std::move(warning));
   }
@@ -178,8 +180,9 @@ Warnings motionWarnings(const MotionRates& rates, bool can_stand) {
     Warning warning;
     warning.code = WarningCode::kIllConditioned;
     warning.value = rounding;
-    warning.message = fmt::format("the fastest motion is {:.1e} times as fast as the slowest: rounding may reach {:.1e} of a result",
-                                  rates.spread(), rounding);
+    warning.message =
+        fmt::format("the fastest motion is {:.1e} times as fast as the slowest: rounding may reach {:.1e} of a result",
+                    rates.spread(), rounding);
     warning.remedy = "look for a stiffness or damping that is many powers of ten too large";
     warnings.push_back(std::move(warning));
   }

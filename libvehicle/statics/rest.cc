@@ -110,19 +110,22 @@ ProblemList uncarried(const Topology& topology, const Balance& balance, const Ei
     if (open(body.z_index)) {
       problems.add(problem("body", body,
                            "springs and preloads leave a vertical force of " + number(left[body.z_index]) +
-                               " N at rest; the weight must be carried", kRemedy));
+                               " N at rest; the weight must be carried",
+                           kRemedy));
     }
     if (open(body.pitch_index)) {
       problems.add(problem("body", body,
                            "springs and preloads leave a pitch moment of " + number(left[body.pitch_index]) +
-                               " N m at rest; moments must balance", kRemedy));
+                               " N m at rest; moments must balance",
+                           kRemedy));
     }
   }
   for (const TopologyWheelset& wheelset : topology.wheelsets) {
     if (open(wheelset.z_index)) {
       problems.add(problem("wheelset", wheelset,
                            "springs and preloads leave a vertical force of " + number(left[wheelset.z_index]) +
-                               " N at rest; the weight must be carried", kRemedy));
+                               " N at rest; the weight must be carried",
+                           kRemedy));
     }
   }
   return problems;
@@ -147,12 +150,10 @@ ProblemList wheelsOffTheRail(const Topology& topology, const std::vector<double>
     const TopologyWheelset& wheelset = topology.wheelsets[j];
     if (wheel_load[j] < -kBalance * total) {
       problems.add(problem("wheelset", wheelset,
-                           "its static wheel load would be " + number(wheel_load[j]) +
-                               " N; a rail can only push",
+                           "its static wheel load would be " + number(wheel_load[j]) + " N; a rail can only push",
                            "move the centre of gravity between the wheelsets, or give its load"));
     } else if (wheelset.z_index >= 0 && !wheelset.contact_stiffness && !(wheel_load[j] > kBalance * total)) {
-      problems.add(problem("wheelset", wheelset,
-                           "a Hertz contact without static load has no stiffness",
+      problems.add(problem("wheelset", wheelset, "a Hertz contact without static load has no stiffness",
                            "set gravity > 0, or give its load or contact_stiffness"));
     }
   }

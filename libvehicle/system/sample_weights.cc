@@ -42,7 +42,8 @@ std::vector<double> allWeights(const std::vector<double>& nodes, bool odd_first,
   if (odd_last) addPolynomial(all.last(4), nodes[n - 1], nodes[n], std::span(weights).last(4));
   const std::size_t count = last - first;
   if (count < 3) {
-    addPolynomial(all.subspan(first, count + 1), nodes[first], nodes[last], std::span(weights).subspan(first, count + 1));
+    addPolynomial(all.subspan(first, count + 1), nodes[first], nodes[last],
+                  std::span(weights).subspan(first, count + 1));
     return weights;
   }
   const double step = (nodes[last] - nodes[first]) / static_cast<double>(count);
@@ -80,8 +81,7 @@ SampleWeights::SampleWeights(std::size_t stretches, double first, double point_s
 }
 
 SampleWeights::SampleWeights(const Schedule& schedule, const Schedule::Part& part)
-    : SampleWeights(part.count,
-                    schedule.stretches()[part.first_stretch].end - part.begin,
+    : SampleWeights(part.count, schedule.stretches()[part.first_stretch].end - part.begin,
                     schedule.outputStep() / part.cut,
                     part.end - schedule.stretches()[part.first_stretch + part.count - 1].begin) {}
 

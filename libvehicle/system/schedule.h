@@ -79,20 +79,20 @@ class Schedule {
   /// Stretches of one segment: those between points are equally long, the first and the last may be shorter.
   struct Part {
     int segment = 0;
-    int next = 0;             // the segment after it
-    double begin = 0.0;       // [s]
-    double end = 0.0;         // [s]
-    int cut = 1;              // points of an output step
-    int finer = 1;            // points between two of the regular grid
-    std::int64_t first = 0;   // number of the first point of the grid behind `begin`
-    std::size_t count = 1;    // stretches
-    bool first_whole = false; // whether `begin` is a point of the grid
-    bool last_whole = false;  // whether `end` is one
-    bool shown = true;        // whether `end` is a sample
-    bool counts = true;       // whether the motion is measured here
+    int next = 0;              // the segment after it
+    double begin = 0.0;        // [s]
+    double end = 0.0;          // [s]
+    int cut = 1;               // points of an output step
+    int finer = 1;             // points between two of the regular grid
+    std::int64_t first = 0;    // number of the first point of the grid behind `begin`
+    std::size_t count = 1;     // stretches
+    bool first_whole = false;  // whether `begin` is a point of the grid
+    bool last_whole = false;   // whether `end` is one
+    bool shown = true;         // whether `end` is a sample
+    bool counts = true;        // whether the motion is measured here
     std::size_t first_stretch = 0;
-    int first_sample = 0;     // number of the sample at the end of its first stretch
-    int last_output = -1;     // at `end`
+    int first_sample = 0;  // number of the sample at the end of its first stretch
+    int last_output = -1;  // at `end`
     int last_regular = -1;
   };
 
@@ -161,7 +161,9 @@ class Schedule::Iterator {
   using reference = Stretch;
 
   Iterator(const Schedule& schedule, std::size_t index)
-      : schedule_(&schedule), index_(index), part_(index < schedule.stretch_count_ ? &schedule.partOf(index) : nullptr) {}
+      : schedule_(&schedule),
+        index_(index),
+        part_(index < schedule.stretch_count_ ? &schedule.partOf(index) : nullptr) {}
   [[nodiscard]] Stretch operator*() const { return schedule_->stretchOf(*part_, index_); }
   [[nodiscard]] const Part& part() const { return *part_; }
   [[nodiscard]] std::size_t index() const { return index_; }

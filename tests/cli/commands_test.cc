@@ -109,7 +109,7 @@ TEST(SimulateCommand, PrintsASummaryThatIsAlikeInAllFormats) {
   ASSERT_EQ(table.status, 0) << table.err;
   EXPECT_EQ(table.err, "");
   EXPECT_TRUE(has(table.out, "carbody.z"));
-  EXPECT_EQ(csv.out.rfind("column,unit,min,max,peak,at [s],rms\ncarbody.z,m,", 0), 0u) << csv.out;
+  EXPECT_EQ(csv.out.rfind("column,unit,min,max,peak,at [s],mean,rms\ncarbody.z,m,", 0), 0u) << csv.out;
   const Json row = Json::parse(json.out)["tables"]["columns"]["rows"][0];
   EXPECT_EQ(row["column"], "carbody.z");
   const std::string line = csv.out.substr(csv.out.find("carbody.z,m,") + 12);

@@ -65,9 +65,7 @@ TEST(ColumnSummaries, AJumpIsNoExtreme) {
   EXPECT_DOUBLE_EQ(summary.mean, 0.5 * (1.0 + 2.5));
 }
 
-TEST(ColumnSummaries, WithoutASampleEverythingIsZero) {
-  EXPECT_EQ(ColumnSummaries(2).summaries()[1].peak(), 0.0);
-}
+TEST(ColumnSummaries, WithoutASampleEverythingIsZero) { EXPECT_EQ(ColumnSummaries(2).summaries()[1].peak(), 0.0); }
 
 }  // namespace
 }  // namespace vehicle

@@ -94,7 +94,8 @@ TEST(Measurement, SeesBothSidesOfAJump) {
   const TimeHistory history = run(bogiePitchVehicle(), fine, "matrix", "exact").history;
   const RunResult result = run(bogiePitchVehicle(), scenario, "matrix", "exact");
   for (const char* column : {"primary_1.force", "front_bogie.az", "front_bogie.pitch_acc"}) {
-    EXPECT_NEAR(summaryOf(result, column).peak(), peakOf(history.column(column)), 1e-3 * peakOf(history.column(column)));
+    EXPECT_NEAR(summaryOf(result, column).peak(), peakOf(history.column(column)),
+                1e-3 * peakOf(history.column(column)));
   }
 }
 
@@ -144,8 +145,8 @@ TEST(Measurement, MeanSquareOfASteadyMotionIsThatOfItsCosine) {
   const double phase = std::atan2(-v[0] / w, z[0]);
   const double square = 0.5 * T + (std::sin(2.0 * (w * T + phase)) - std::sin(2.0 * phase)) / (4.0 * w);
   EXPECT_WITHIN(summaryOf(result, "carbody.z").rms, amplitude * std::sqrt(square / T), 1e-12 * amplitude);
-  EXPECT_WITHIN(summaryOf(result, "carbody.z").mean,
-                amplitude * (std::sin(w * T + phase) - std::sin(phase)) / (w * T), 1e-12 * amplitude);
+  EXPECT_WITHIN(summaryOf(result, "carbody.z").mean, amplitude * (std::sin(w * T + phase) - std::sin(phase)) / (w * T),
+                1e-12 * amplitude);
 }
 
 TEST(Measurement, SettleLeavesTheStartOut) {
@@ -205,8 +206,8 @@ TEST(GivenStep, ThatDoesNotResolveTheFastestMotionIsSaidToBeCoarse) {
   RunChoice choice;
   choice.step = 1e-3;
   EXPECT_TRUE(warningOf(run(contactVehicle(), bumpScenario(5e-3), "matrix", "rk4", choice), WarningCode::kCoarseStep));
-  EXPECT_FALSE(warningOf(run(paperVehicle(), paperScenario(History::kOnset), "flat", "rk4", choice),
-                         WarningCode::kCoarseStep));
+  EXPECT_FALSE(
+      warningOf(run(paperVehicle(), paperScenario(History::kOnset), "flat", "rk4", choice), WarningCode::kCoarseStep));
 }
 
 TEST(ChosenStep, FollowsTheFastestMotionAndSaysSo) {

@@ -94,9 +94,7 @@ TEST(Split, ItsStepsAreTracedOnBothThreads) {
     const RunResult traced = run(paperVehicle(), paperScenario(History::kOnset), "flat", method, choice);
     EXPECT_EQ(historyError(traced.history, plain.history), 0.0) << method;
     const Trace trace = tracer.trace();
-    // Of exact a step leads from sample to sample; its statistics count the pieces between kinks too.
-    const bool exact = std::string(method) == "exact_split";
-    const long steps = exact ? static_cast<long>(traced.history.samples()) - 1 : traced.statistics.steps;
+    const long steps = traced.statistics.steps;
     EXPECT_EQ(trace.traced_steps, (steps + 15) / 16) << method;
     long spans[2] = {0, 0};
     for (const Span& span : trace.spans) {

@@ -104,7 +104,8 @@ TEST(MotionWarnings, SayWhatGrowsAndWhatRoundingShows) {
   EXPECT_TRUE(motionWarnings(MotionRates(growing), false).empty()) << "CANNOT_STAND says more";
   Vehicle vehicle = paperVehicle();
   vehicle.elements[1].damping_z = 1e20;
-  EXPECT_TRUE(codesOf(simulate(vehicle, paperScenario(History::kOnset)).warnings).contains(WarningCode::kIllConditioned));
+  EXPECT_TRUE(
+      codesOf(simulate(vehicle, paperScenario(History::kOnset)).warnings).contains(WarningCode::kIllConditioned));
 }
 
 TEST(RangeWarnings, AWheelThatPullsAtTheRailIsNamedWithLoadAndTime) {

@@ -48,7 +48,9 @@ double ColumnStatistic::operator()(const Metric& metric, std::span<const double>
   return 0.0;
 }
 
-double ColumnStatistic::band(std::span<const double> values, double step, double low, double high) {
+double ColumnStatistic::band(std::span<const double> samples, double step, double low, double high) {
+  // The last sample ends the last step: with it the lines would lie at multiples of 1/(T + dt).
+  const std::span<const double> values = samples.first(std::max<std::size_t>(samples.size(), 2) - 1);
   const std::size_t n = values.size();
   if (circle_.size() != 2 * n) {
     circle_.resize(2 * n);

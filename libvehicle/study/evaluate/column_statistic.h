@@ -17,7 +17,8 @@ class ColumnStatistic {
   /// The statistic that a metric of a column asks for.
   ///
   /// Percentiles are linear between the order statistics. The r.m.s. of a band f1..f2 is that of the lines
-  /// f_k = k / (n dt), f1 <= f_k < f2, of the discrete Fourier transform without window:
+  /// f_k = k / T, f1 <= f_k < f2, of the discrete Fourier transform without window, T = n dt, of the n samples before the
+  /// last one, which ends the run:
   ///
   ///     sqrt( sum_k g_k |X_k|^2 ) / n,   g_k = 1 for k = 0 and k = n/2, else 2
   ///

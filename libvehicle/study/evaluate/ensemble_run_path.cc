@@ -102,7 +102,8 @@ class EnsembleRunPath final : public Path {
           groups[pace].push_back(place);
         } else {
           rows.fail(block_.alive()[place],
-                    fmt::format("its fastest motion asks for rk4 steps of {:.1g} s, the shortest are {:.1g} s; look for a stiffness or "
+                    fmt::format("its fastest motion asks for rk4 steps of {:.1g} s, the shortest are {:.1g} s; look "
+                                "for a stiffness or "
                                 "damping that is far too large",
                                 std::ldexp(kDefaultStep, -pace.halvings), std::ldexp(kDefaultStep, -kMostHalvings)));
         }

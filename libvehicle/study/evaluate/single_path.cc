@@ -99,7 +99,8 @@ class SingleRunPath final : public SinglePath {
     for (const Warning& each : result.warnings) rows.warn(row, each.code);
     for (const ColumnRequest& request : requests(study_case)) {
       const std::size_t column = result.history.indexOf(request.column);
-      const std::vector<double> samples = needs_samples ? countedSamples(result.history, column, choice.settle) : std::vector<double>();
+      const std::vector<double> samples =
+          needs_samples ? countedSamples(result.history, column, choice.settle) : std::vector<double>();
       for (const MetricPlace& entry : request.entries) {
         rows.metric(row, entry.place) =
             comesFromSummary(entry.metric.statistic)

@@ -184,10 +184,9 @@ TEST(SimulateCommand, CtrlCEndsALongRunAndKeepsWhatIsDone) {
   const TestFolder folder;
   const std::string scenario =
       folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="40000 s" output_step="10 ms")"));
-  const auto interrupt = [](int process) { kill(process, SIGINT); };
   const ProgramRun run = runVehicle({"simulate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs",
                                      "--method", "rk4", "--output", folder.path("run.csv")},
-                                    interrupt, std::chrono::milliseconds(1500));
+                                    showsProgress, [](pid_t process) { kill(process, SIGINT); });
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_TRUE(has(run.err, "vehicle: interrupted at t = ")) << run.err;
   const TimeHistory kept = readCsv(folder.path("run.csv")).orThrow();
@@ -240,9 +239,8 @@ TEST(ValidateCommand, CtrlCEndsItAndSaysHowFarItCame) {
   const TestFolder folder;
   const std::string scenario =
       folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="3000 s" output_step="10 ms")"));
-  const auto interrupt = [](int process) { kill(process, SIGINT); };
   const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs"},
-                                    interrupt, std::chrono::milliseconds(1000));
+                                    showsProgress, [](pid_t process) { kill(process, SIGINT); });
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_EQ(run.err, "vehicle: interrupted; 0 of 1 cases are finished\n");
 }

@@ -38,7 +38,7 @@ int simulateAndStore(const Options& options) {
     result = simulate(model.vehicle, model.scenario, choice,
                       [&](double share) { return bar.update(share, "simulate"); });
   }
-  const RunRecord record = recordOf(options.files, model, options.choice, result);
+  const RunRecord record = recordOf(model, options.choice, result);
   for (const std::string& output : options.outputs) writeHistory(output, record);
 
   Document document;

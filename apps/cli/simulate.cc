@@ -15,6 +15,7 @@
 #include "apps/cli/remarks.h"
 #include "apps/cli/run_files.h"
 #include "apps/cli/thread_options.h"
+#include "libvehicle/simulate/stiffness.h"
 
 namespace vehicle::cli {
 namespace {
@@ -59,6 +60,9 @@ int simulateAndStore(const Options& options) {
   addWarnings(result.warnings, options.common, document);
   print(document, options.common.format, std::cout);
   for (const std::string& note : result.notes) printNote(note, options.common);
+  if (const std::string note = stiffnessNote(model.vehicle, model.scenario, options.choice, result); !note.empty()) {
+    printNote(note, options.common);
+  }
   printWarnings(result.warnings);
   for (const std::string& output : options.outputs) {
     if (!options.common.quiet) std::cerr << fmt::format("written: {}\n", output);

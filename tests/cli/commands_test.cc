@@ -194,6 +194,23 @@ TEST(SimulateCommand, CtrlCEndsALongRunAndKeepsWhatIsDone) {
   EXPECT_LT(kept.samples(), 4000000u);
 }
 
+TEST(SimulateCommand, AStiffRunOfDopri5NamesWhatWouldDoBetter) {
+  const TestFolder folder;
+  std::string stiff = smallVehicle();
+  const std::string axle = R"(<wheelset name="wheelset" x="0 m")";
+  stiff.insert(stiff.find(axle) + axle.size(),
+               R"( mass="1.5 t" contact_stiffness="2.4 GN/m" contact_damping="50 MN*s/m")");
+  const std::vector<std::string> run = {"simulate", folder.file("v.xml", stiff),
+                                        folder.file("s.xml", smallScenario(kRun)), "--method", "dopri5"};
+  const ProgramRun told = runVehicle(run);
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(told.err.rfind("note: dopri5 took ", 0), 0u) << told.err;
+  EXPECT_TRUE(told.err.ends_with("take --method exact, which needs no steps\n")) << told.err;
+  std::vector<std::string> exact = run;
+  exact.back() = "exact";
+  EXPECT_EQ(runVehicle(exact).err, "");
+}
+
 TEST(ValidateCommand, ASmallVehicleIsInsideAndEveryPairStandsInTheJson) {
   const TestFolder folder;
   const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()),

@@ -11,8 +11,8 @@ inline constexpr const char* kBuiltByColumns = "compiler,flags,commit";
 /// tree was modified.
 [[nodiscard]] std::string builtBy();
 
-/// Ends the program, before it measures, where results would be kept that nobody could measure again: those of a modified
-/// tree or of none.
+/// Ends the program, before it measures, where results would be kept that nobody could measure again: those of a
+/// modified tree or of none.
 /// @param results  where they are to go; empty: nowhere
 void requireKnownCommit(const std::string& results);
 

@@ -68,8 +68,8 @@ std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOption
 void printReports(const std::vector<ValidationReport>& reports, bool is_suite, const Warnings& warnings,
                   const Options& options) {
   const bool all = options.details || options.common.format != Format::kTable;
-  Document document = is_suite ? documentOf(reports)
-                               : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
+  Document document =
+      is_suite ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
   addWarnings(warnings, options.common, document);
   // A case that was interrupted has nothing to show but that.
   if (is_suite || !reports.front().stopped) print(document, options.common.format, std::cout);
@@ -96,9 +96,8 @@ int validateAll(const Options& options) {
   if (const std::string why = whyNothing(reports.front()); !work.is_suite && !why.empty()) {
     std::cerr << "vehicle: " << why << '\n';
   }
-  const bool left_out = std::any_of(reports.begin(), reports.end(), [](const ValidationReport& each) {
-    return each.count(Verdict::kNotJudged) > 0;
-  });
+  const bool left_out = std::any_of(reports.begin(), reports.end(),
+                                    [](const ValidationReport& each) { return each.count(Verdict::kNotJudged) > 0; });
   if (left_out && !options.allow_unjudged) {
     std::cerr << "vehicle: pairs that are not judged are no pass; repeat it on a quieter machine, give a longer "
                  "--time-limit, or accept them with --allow-unjudged\n";

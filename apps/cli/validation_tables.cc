@@ -78,8 +78,13 @@ Table groupTable(const ValidationReport& report, Shown shown) {
 
 void addPair(Table& table, const ValidationReport& report, const PairAgreement& pair) {
   if (!isJudged(pair)) {
-    table.rows.push_back({report.runs[pair.first].key.text(), report.runs[pair.second].key.text(), {}, {},
-                          std::string(nameOf(pair.verdict)), {}, pair.why});
+    table.rows.push_back({report.runs[pair.first].key.text(),
+                          report.runs[pair.second].key.text(),
+                          {},
+                          {},
+                          std::string(nameOf(pair.verdict)),
+                          {},
+                          pair.why});
     return;
   }
   const ColumnAgreement& worst = pair.columns[pair.worst];
@@ -239,12 +244,11 @@ Document documentOf(const std::vector<ValidationReport>& reports) {
       const double share = pair.relative / *pair.expected;
       if (!std::holds_alternative<double>(cell) || std::get<double>(cell) < share) cell = share;
     }
-    cases.rows.push_back({report.vehicle, report.scenario, 3.6 * report.speed, static_cast<long>(report.runs.size()),
-                          static_cast<long>(report.count(Verdict::kInside)),
-                          static_cast<long>(report.count(Verdict::kOutside)),
-                          static_cast<long>(report.count(Verdict::kByDesign)),
-                          static_cast<long>(report.count(Verdict::kNotJudged)), used[0], used[1], used[2],
-                          verdictOf(report)});
+    cases.rows.push_back(
+        {report.vehicle, report.scenario, 3.6 * report.speed, static_cast<long>(report.runs.size()),
+         static_cast<long>(report.count(Verdict::kInside)), static_cast<long>(report.count(Verdict::kOutside)),
+         static_cast<long>(report.count(Verdict::kByDesign)), static_cast<long>(report.count(Verdict::kNotJudged)),
+         used[0], used[1], used[2], verdictOf(report)});
   }
   document.facts = {{"cases", static_cast<long>(reports.size()), ""},
                     {"inside", all_inside, ""},
@@ -275,12 +279,12 @@ std::vector<std::string> complaintsOf(const ValidationReport& report) {
 }
 
 std::string whyNothing(const ValidationReport& report) {
-  const bool all_finished = std::all_of(report.runs.begin(), report.runs.end(), [](const ValidationRun& run) {
-    return run.ending == RunEnding::kFinished;
-  });
+  const bool all_finished = std::all_of(report.runs.begin(), report.runs.end(),
+                                        [](const ValidationRun& run) { return run.ending == RunEnding::kFinished; });
   if (!all_finished || report.count(Verdict::kInside) + report.count(Verdict::kOutside) > 0) return {};
   std::string why;
-  for (const Misfit& misfit : report.misfits) why += "; " + (misfit.method.empty() ? misfit.form + ": " : "") + misfit.reason;
+  for (const Misfit& misfit : report.misfits)
+    why += "; " + (misfit.method.empty() ? misfit.form + ": " : "") + misfit.reason;
   return fmt::format("{} on {} at {:.4g} m/s: nothing is judged: no two runs can be compared{}", report.vehicle,
                      report.scenario, report.speed, why);
 }

@@ -9,9 +9,9 @@
 
 namespace vehicle {
 
-/// R(z): by what an explicit Runge-Kutta method multiplies x in one step of x' = lambda x, z = h lambda. The truth is exp(z);
-/// where |R| > 1 the method lets a mode grow that decays.
-/// Source: Hairer, Wanner, Solving Ordinary Differential Equations II, 2nd ed., ch. IV.2.
+/// R(z): by what an explicit Runge-Kutta method multiplies x in one step of x' = lambda x, z = h lambda. The truth is
+/// exp(z); where |R| > 1 the method lets a mode grow that decays. Source: Hairer, Wanner, Solving Ordinary Differential
+/// Equations II, 2nd ed., ch. IV.2.
 template <int S>
 [[nodiscard]] std::complex<double> stabilityFunction(const Tableau<S>& method, std::complex<double> z) {
   std::array<std::complex<double>, static_cast<std::size_t>(S)> k;

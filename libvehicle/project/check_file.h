@@ -18,8 +18,8 @@ struct CheckedFile {
   std::optional<Scenario> scenario;  // of a scenario in order
 };
 
-/// Judges a file of any kind with all files that it names, as far as the command that takes it would refuse it before it
-/// computes: `study` before the first design, `validate` before the first run, `info`, `modes` and `simulate` before
+/// Judges a file of any kind with all files that it names, as far as the command that takes it would refuse it before
+/// it computes: `study` before the first design, `validate` before the first run, `info`, `modes` and `simulate` before
 /// they build equations. The same functions decide there.
 [[nodiscard]] CheckedFile checkFile(const std::string& path, FileSource& files);
 

@@ -20,8 +20,8 @@ Model readModel(const std::string& vehicle_file, const std::string& scenario_fil
   // The parts of a train know the files of its vehicles.
   for (const Body& body : model.vehicle.bodies) paths.push_back(body.origin.file);
   for (const std::string& path : paths) {
-    const bool is_kept = std::any_of(model.inputs.begin(), model.inputs.end(),
-                                     [&](const InputFile& each) { return each.name == path; });
+    const bool is_kept =
+        std::any_of(model.inputs.begin(), model.inputs.end(), [&](const InputFile& each) { return each.name == path; });
     if (!is_kept) model.inputs.push_back({path, files.text(path).value.value()});
   }
   return model;

@@ -12,8 +12,8 @@
 
 namespace vehicle {
 
-/// Reads the files that a study or suite names, and collects what is wrong with them: a file that cannot be read or is of
-/// another kind is reported where it is named, what is wrong inside it at its own place.
+/// Reads the files that a study or suite names, and collects what is wrong with them: a file that cannot be read or is
+/// of another kind is reported where it is named, what is wrong inside it at its own place.
 class NamedFiles {
  public:
   /// @param holder  element that names them: "suite"

@@ -28,9 +28,7 @@ class KeptTexts {
   }
 
   /// A file that the study names.
-  void keepNamed(const std::string& named) {
-    keep(resolvePath(study_name_, named), resolvePath(study_file_, named));
-  }
+  void keepNamed(const std::string& named) { keep(resolvePath(study_name_, named), resolvePath(study_file_, named)); }
   /// A file that a file named by the study names.
   void keepNamed(const std::string& holder, const std::string& named) {
     keep(resolvePath(resolvePath(study_name_, holder), named), resolvePath(resolvePath(study_file_, holder), named));

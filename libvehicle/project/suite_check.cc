@@ -21,8 +21,7 @@ void checkChoices(const std::vector<NamedChoice>& choices, const std::string& ki
     if (std::find(known.begin(), known.end(), each.name) != known.end()) continue;
     const std::optional<std::string> nearest = nearestName(each.name, known);
     problems.add(each.origin, fmt::format("<suite><{}>", kind), fmt::format("{} \"{}\" is unknown", kind, each.name),
-                 nearest ? fmt::format("did you mean \"{}\"?", *nearest)
-                         : "choose one of " + joined(known, ", "));
+                 nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "choose one of " + joined(known, ", "));
   }
 }
 
@@ -30,8 +29,8 @@ double speedOf(const ValidationCase& each, const SuiteWork& work) {
   return each.speed.value_or(work.scenarios[each.scenario].run.speed);
 }
 
-/// The cases of one vehicle on one scenario differ in speed alone. What is refused at a speed between the lowest and the
-/// highest is refused at one of these.
+/// The cases of one vehicle on one scenario differ in speed alone. What is refused at a speed between the lowest and
+/// the highest is refused at one of these.
 std::vector<ValidationCase> outermostCases(const SuiteWork& work) {
   std::map<std::pair<std::size_t, std::size_t>, std::pair<ValidationCase, ValidationCase>> ends;
   for (const ValidationCase& each : work.cases) {
@@ -107,8 +106,8 @@ Warnings unjudgedOf(const SuiteWork& work) {
   Warning whole = warnings.front();
   whole.place = work.suite.origin;
   whole.subject = work.suite.name;
-  whole.message = "nothing is judged: no two runs can be compared of any of its vehicles; of " +
-                  work.vehicles.front().name + ": " + whyNothing(work, work.cases.front());
+  whole.message = "nothing is judged: no two runs of a vehicle can be compared; " + work.vehicles.front().name + ": " +
+                  whyNothing(work, work.cases.front());
   return {whole};
 }
 

@@ -10,8 +10,9 @@ namespace vehicle {
 /// @param gravity  [m/s^2]
 [[nodiscard]] ProblemList checkRest(const Vehicle& vehicle, double gravity);
 
-/// What a run of this vehicle over this scenario would be refused for before its first step: parts that the vehicle does
-/// not have, a weight that its springs cannot carry, a rail that jumps under it, an initial state that does not exist.
+/// What a run of this vehicle over this scenario would be refused for before its first step: parts that the vehicle
+/// does not have, a weight that its springs cannot carry, a rail that jumps under it, an initial state that does not
+/// exist.
 /// @param vehicle, scenario  in order by their own check()
 /// @param speed  [m/s] the scenario's own, or another one that it is run at
 [[nodiscard]] ProblemList checkTogether(const Vehicle& vehicle, const Scenario& scenario, double speed);

@@ -84,7 +84,8 @@ std::string stiffnessNote(const Vehicle& vehicle, const Scenario& scenario, cons
       stiffRun(result.statistics, motion, {eigenvalues.data(), static_cast<std::size_t>(eigenvalues.size())});
   if (!stiff) return {};
   return fmt::format(
-      "dopri5 took {} steps of {:.2g} s, where the motion asks for {:.2g} s: a mode of {:.3g} 1/s that is hardly there keeps "
+      "dopri5 took {} steps of {:.2g} s, where the motion asks for {:.2g} s: a mode of {:.3g} 1/s that is hardly there "
+      "keeps "
       "them short; {}",
       result.statistics.steps, stiff->step, stiff->needed, std::abs(stiff->eigenvalue),
       linear ? "take --method exact, which needs no steps"

@@ -18,16 +18,16 @@ struct StiffRun {
 
 /// What a run had to follow, and how closely.
 struct FollowedMotion {
-  double duration = 0.0;   // [s]
-  double tolerance = 0.0;  // [-] of the error of a step, relative to the motion
+  double duration = 0.0;       // [s]
+  double tolerance = 0.0;      // [-] of the error of a step, relative to the motion
   double fastest_input = 0.0;  // [rad/s] of the rail under the wheels
 };
 
-/// Whether a run is stiff. The error control lets a step err by the tolerance; a step errs by modeError() of each mode. Where
-/// that is more than ten tolerances, less than a tenth of the motion is of that mode: it has died away, and only
-/// its stability and its last traces keep the steps short. The run is stiff if the fastest mode is such a one and the rest,
-/// slower modes and input, would do with steps four times as long.
-/// Source of the idea: Hairer, Wanner, Solving Ordinary Differential Equations II, 2nd ed., ch. IV.2 (stiffness detection).
+/// Whether a run is stiff. The error control lets a step err by the tolerance; a step errs by modeError() of each mode.
+/// Where that is more than ten tolerances, less than a tenth of the motion is of that mode: it has died away, and only
+/// its stability and its last traces keep the steps short. The run is stiff if the fastest mode is such a one and the
+/// rest, slower modes and input, would do with steps four times as long. Source of the idea: Hairer, Wanner, Solving
+/// Ordinary Differential Equations II, 2nd ed., ch. IV.2 (stiffness detection).
 /// @param eigenvalues  [1/s] of the linear equations
 [[nodiscard]] std::optional<StiffRun> stiffRun(const Statistics& statistics, const FollowedMotion& motion,
                                                std::span<const std::complex<double>> eigenvalues);

@@ -32,8 +32,8 @@ struct RunKey {
   int threads = 1;           // that share it
   std::string map = "auto";  // who of them computes which equation
   bool operator==(const RunKey&) const = default;
-  /// For people: "flat rk4", "mbs simbody_rkm", "matrix rk4 h/2", "flat rk4 stages x4 map paper". Steps and tolerances are
-  /// left out, so that two keys may have the same text.
+  /// For people: "flat rk4", "mbs simbody_rkm", "matrix rk4 h/2", "flat rk4 stages x4 map paper". Steps and tolerances
+  /// are left out, so that two keys may have the same text.
   [[nodiscard]] std::string text() const;
 };
 

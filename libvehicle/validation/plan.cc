@@ -122,8 +122,8 @@ bool areCompared(const std::vector<RunKey>& runs, std::size_t i, std::size_t j) 
   const RunKey& b = runs[j];
   if (a.refine != 1) return false;
   if (b.refine == 1) return true;
-  return a.method == "exact" && a.scheme.empty() && isLinearForm(b.form) && equationsOf(a.form) == equationsOf(b.form) &&
-         (i == 0 || isPrintedVariant(a.form));
+  return a.method == "exact" && a.scheme.empty() && isLinearForm(b.form) &&
+         equationsOf(a.form) == equationsOf(b.form) && (i == 0 || isPrintedVariant(a.form));
 }
 
 bool judgesAnything(const ValidationPlan& plan) {

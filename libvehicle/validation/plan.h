@@ -48,14 +48,15 @@ struct ValidationPlan {
   std::vector<std::string> notes;
 };
 
-/// Every form by every method that fits. The exact solution of the matrix form is always there as the reference, and each
-/// rk4 run brings one at half the step. A chosen form that no chosen method can integrate is run by its default method,
-/// with a note.
+/// Every form by every method that fits. The exact solution of the matrix form is always there as the reference, and
+/// each rk4 run brings one at half the step. A chosen form that no chosen method can integrate is run by its default
+/// method, with a note.
 /// @param vehicle, scenario       right, also together
 /// @throws std::invalid_argument  a form or method that does not exist
 [[nodiscard]] ValidationPlan validationPlanOf(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice);
 
-/// Forms that solve the same equations share the ledger's sizes: all consistent ones ("matrix"), and each printed variant.
+/// Forms that solve the same equations share the ledger's sizes: all consistent ones ("matrix"), and each printed
+/// variant.
 [[nodiscard]] std::string equationsOf(const std::string& form);
 
 /// Whether run j > i is compared with run i. A run at half the step is there to show the order, which only the exact
@@ -65,7 +66,8 @@ struct ValidationPlan {
 /// Whether two of the runs are compared of which something is expected.
 [[nodiscard]] bool judgesAnything(const ValidationPlan& plan);
 
-/// Why the histories of all runs together are more than a case may hold (2 GiB), with the remedy; empty if they are not.
+/// Why the histories of all runs together are more than a case may hold (2 GiB), with the remedy; empty if they are
+/// not.
 /// @param speed  [m/s]
 [[nodiscard]] std::string memoryMisfit(const ValidationPlan& plan, const Vehicle& vehicle, const Scenario& scenario,
                                        double speed);

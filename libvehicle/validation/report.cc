@@ -16,8 +16,8 @@ const std::vector<SharedColumn>& usualSharedColumns() {
 }
 
 bool ValidationReport::inside() const {
-  const bool finished =
-      std::all_of(runs.begin(), runs.end(), [](const ValidationRun& run) { return run.ending == RunEnding::kFinished; });
+  const bool finished = std::all_of(runs.begin(), runs.end(),
+                                    [](const ValidationRun& run) { return run.ending == RunEnding::kFinished; });
   return finished && count(Verdict::kInside) > 0 && count(Verdict::kOutside) == 0 && count(Verdict::kNotJudged) == 0;
 }
 

@@ -143,7 +143,7 @@ class Case {
       run.wall_seconds = result.wall_seconds;
       if (too_long) {
         run.ending = RunEnding::kOutOfTime;
-        run.reason = fmt::format("not done after {:.3g} s, because the machine is busy", most);
+        run.reason = fmt::format("not done after {:.3g} s, its time limit", most);
         return;
       }
       // Reported is what ran, whatever was asked for.

@@ -41,7 +41,7 @@ struct ValidationReport {
   std::vector<PairAgreement> pairs;  // of every two runs; those with the reference first; none of an interrupted case
   bool stopped = false;              // ended early on request
 
-  /// All evidence is there and good: every run finished, every pair was judged, at least one is inside and none outside.
+  /// All evidence is there and good: every run finished, every pair was judged, at least one is inside, none outside.
   [[nodiscard]] bool inside() const;
   /// Whether a run failed.
   [[nodiscard]] bool failed() const;

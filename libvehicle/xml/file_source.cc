@@ -70,8 +70,9 @@ FileSource::FileSource(const std::map<std::string, std::string>& texts) : reads_
 const Outcome<std::string>& FileSource::text(const std::string& path) {
   const auto [known, is_new] = known_.try_emplace(keyOf(path));
   if (is_new) {
-    known->second = reads_disk_ ? readFromDisk(path)
-                                : refuse(path, "is not among the files that are kept", "read the files from disk again");
+    known->second = reads_disk_
+                        ? readFromDisk(path)
+                        : refuse(path, "is not among the files that are kept", "read the files from disk again");
   }
   return known->second;
 }

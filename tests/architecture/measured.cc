@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
-#include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -70,7 +70,7 @@ Flattened flattened(const std::string& content) {
 /// Words of a page with expressions in place of its numbers.
 struct Template {
   int line = 0;
-  std::vector<std::string> words;        // one more than expressions
+  std::vector<std::string> words;  // one more than expressions
   std::vector<std::string> expressions;
 };
 
@@ -90,7 +90,7 @@ Template templateOf(std::string_view text, int line) {
 }
 
 struct Found {
-  std::size_t begin = 0, end = 0;                             // of the whole, in the flattened text
+  std::size_t begin = 0, end = 0;                            // of the whole, in the flattened text
   std::vector<std::pair<std::size_t, std::size_t>> numbers;  // place and length
 };
 
@@ -159,7 +159,11 @@ PrintedNumbers readPrintedNumbers(const fs::path& root) {
 class PageJudge {
  public:
   PageJudge(const fs::path& root, const PageNumbers& page, const Results& results)
-      : file_(root / page.page), page_(page), results_(results), content_(contentOf(file_)), flat_(flattened(content_)) {}
+      : file_(root / page.page),
+        page_(page),
+        results_(results),
+        content_(contentOf(file_)),
+        flat_(flattened(content_)) {}
 
   Violations judge() {
     for (const Template& each : page_.templates) judge(each);
@@ -177,7 +181,8 @@ class PageJudge {
 
  private:
   [[nodiscard]] int lineOf(std::size_t offset) const {
-    return 1 + static_cast<int>(std::count(content_.begin(), content_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+    return 1 +
+           static_cast<int>(std::count(content_.begin(), content_.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
   }
   void report(const std::string& place, const std::string& what) { found_.push_back(place + ": " + what); }
 
@@ -218,7 +223,8 @@ class PageJudge {
       }
       const bool row = line.starts_with('|');
       if (row && inside && in_body && !isMatched(offset)) {
-        report(page_.page + ":" + std::to_string(lineOf(offset)), std::string("this row has no source in ") + kPrintedNumbers);
+        report(page_.page + ":" + std::to_string(lineOf(offset)),
+               std::string("this row has no source in ") + kPrintedNumbers);
       }
       in_body = row && (in_body || line.starts_with("|-"));
     }
@@ -235,7 +241,7 @@ class PageJudge {
   std::string content_;
   Flattened flat_;
   Violations found_;
-  std::vector<std::pair<std::size_t, std::size_t>> matched_;                   // first and last letter, in the file
+  std::vector<std::pair<std::size_t, std::size_t>> matched_;                // first and last letter, in the file
   std::map<std::size_t, std::pair<std::size_t, std::string>> corrections_;  // place: length, text instead
 };
 
@@ -256,9 +262,10 @@ PrintedNumber printedNumber(std::string_view text) {
 std::string printedLike(std::string_view like, double value) {
   const std::size_t first = like.find_first_of("123456789");
   const auto counts = [&](char c) { return isDigit(c); };
-  auto digits = static_cast<int>(first == std::string_view::npos
-                                     ? 0
-                                     : std::count_if(like.begin() + static_cast<std::ptrdiff_t>(first), like.end(), counts));
+  auto digits =
+      static_cast<int>(first == std::string_view::npos
+                           ? 0
+                           : std::count_if(like.begin() + static_cast<std::ptrdiff_t>(first), like.end(), counts));
   if (like.find('.') == std::string_view::npos) {
     for (auto last = like.rbegin(); digits > 3 && *last == '0'; ++last) --digits;
   }

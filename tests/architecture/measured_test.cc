@@ -40,9 +40,12 @@ class MadeUpPages : public ::testing::Test {
                  "run,ours,1816300,1a2b3c4\n");
     folder_.file("benchmarks/results/vm/bench_study.csv",
                  "designs,threads,seconds,commit\n1000,2,3.248,1a2b3c4\n1000,2,3.665,1a2b3c4\n");
-    page("## Fast\n\n| what | ours | theirs | ratio |\n|---|---|---|---|\n| a step | 64 ns | 180 ns | 0.36 |\n\n## Slow\n");
-    numbers("  covers ## Fast\n  | a step | {step:rk4:ours} ns | {step:rk4:theirs} ns | "
-            "{step:rk4:ours / step:rk4:theirs} |\n");
+    page(
+        "## Fast\n\n| what | ours | theirs | ratio |\n|---|---|---|---|\n| a step | 64 ns | 180 ns | 0.36 |\n\n## "
+        "Slow\n");
+    numbers(
+        "  covers ## Fast\n  | a step | {step:rk4:ours} ns | {step:rk4:theirs} ns | "
+        "{step:rk4:ours / step:rk4:theirs} |\n");
   }
   void page(const std::string& text) const { folder_.file("README.md", text); }
   void numbers(const std::string& text) const {
@@ -65,42 +68,50 @@ TEST_F(MadeUpPages, NumbersAreCorrectedInPlaceAndInTheirStyle) {
   page("## Fast\n\n| what | ours | theirs | ratio |\n|---|---|---|---|\n| a step | 66 ns | 2 180 ns | 0.99 |\n");
   EXPECT_NE(wrong(Pages::kCorrect), "");
   EXPECT_EQ(wrong(), "");
-  EXPECT_EQ(pageNow(), "## Fast\n\n| what | ours | theirs | ratio |\n|---|---|---|---|\n| a step | 64 ns | 180 ns | 0.36 |\n");
+  EXPECT_EQ(pageNow(),
+            "## Fast\n\n| what | ours | theirs | ratio |\n|---|---|---|---|\n| a step | 64 ns | 180 ns | 0.36 |\n");
 }
 
 TEST_F(MadeUpPages, TextMayBeWrappedAnywhere) {
   page("## Fast\n\nA step takes\n64 ns, a\nrun 1.82 ms and\nstudies 3.2 to 3.7 s.\n");
-  numbers("  A step takes {step:rk4:ours} ns, a run {step:run:ours ms} ms and studies {study:1000:2#1@seconds} to "
-          "{study:1000:2#2@seconds} s.\n");
+  numbers(
+      "  A step takes {step:rk4:ours} ns, a run {step:run:ours ms} ms and studies {study:1000:2#1@seconds} to "
+      "{study:1000:2#2@seconds} s.\n");
   EXPECT_EQ(wrong(), "");
 }
 
 TEST_F(MadeUpPages, ARowWithoutASourceIsFound) {
-  page("## Fast\n\n| what | ours |\n|---|---|\n| a step | 64 ns | 180 ns | 0.36 |\n| a flight | 1 ns |\n\n## Slow\n\n"
-       "| what | ours |\n|---|---|\n| a walk | 5 s |\n");
+  page(
+      "## Fast\n\n| what | ours |\n|---|---|\n| a step | 64 ns | 180 ns | 0.36 |\n| a flight | 1 ns |\n\n## Slow\n\n"
+      "| what | ours |\n|---|---|\n| a walk | 5 s |\n");
   EXPECT_EQ(wrong(), "README.md:6: this row has no source in benchmarks/results/printed_numbers.txt\n");
 }
 
 TEST_F(MadeUpPages, WordsThatAreGoneAndRowsThatAreNotThereAreNamed) {
-  numbers("  | a stride | {step:rk4:ours} ns |\n  covers ## Fast\n  | a step | {step:rk4:mine} ns | {study:1000:2@seconds} ns |\n"
-          "  covers ## Quick\n");
-  EXPECT_EQ(wrong(),
-            "benchmarks/results/printed_numbers.txt:4: README.md has no such words\n"
-            "benchmarks/results/printed_numbers.txt:6: the results have no step:rk4:mine: there is no such row\n"
-            "benchmarks/results/printed_numbers.txt:6: the results have no study:1000:2@seconds: several rows begin so; "
-            "write #1, #2, ...\n"
-            "benchmarks/results/printed_numbers.txt: README.md has no heading ## Quick\n");
+  numbers(
+      "  | a stride | {step:rk4:ours} ns |\n  covers ## Fast\n  | a step | {step:rk4:mine} ns | {study:1000:2@seconds} "
+      "ns |\n"
+      "  covers ## Quick\n");
+  EXPECT_EQ(
+      wrong(),
+      "benchmarks/results/printed_numbers.txt:4: README.md has no such words\n"
+      "benchmarks/results/printed_numbers.txt:6: the results have no step:rk4:mine: there is no such row\n"
+      "benchmarks/results/printed_numbers.txt:6: the results have no study:1000:2@seconds: several rows begin so; "
+      "write #1, #2, ...\n"
+      "benchmarks/results/printed_numbers.txt: README.md has no heading ## Quick\n");
 }
 
 TEST_F(MadeUpPages, ResultsOfAModifiedTreeOrOfNoneAreNamedByTheirFile) {
   EXPECT_EQ(lines(untraceableResults(folder_.root())), "");
-  folder_.file("benchmarks/results/vm/bench_a.csv", "problem,ns,commit\na,1,1a2b3c4\nb,2,9f8e7d6-dirty\nc,3,9f8e7d6-dirty\nd,4,\n");
+  folder_.file("benchmarks/results/vm/bench_a.csv",
+               "problem,ns,commit\na,1,1a2b3c4\nb,2,9f8e7d6-dirty\nc,3,9f8e7d6-dirty\nd,4,\n");
   folder_.file("benchmarks/results/vm/bench_b.csv", "problem,ns\na,1\n");
-  EXPECT_EQ(lines(untraceableResults(folder_.root())),
-            "benchmarks/results/vm/bench_a.csv:5: 1 rows are of no commit; measure them again from a clean one\n"
-            "benchmarks/results/vm/bench_a.csv:3: 2 rows are of the modified tree 9f8e7d6-dirty; measure them again from a "
-            "clean one\n"
-            "benchmarks/results/vm/bench_b.csv:1: no column says of which commit these results are\n");
+  EXPECT_EQ(
+      lines(untraceableResults(folder_.root())),
+      "benchmarks/results/vm/bench_a.csv:5: 1 rows are of no commit; measure them again from a clean one\n"
+      "benchmarks/results/vm/bench_a.csv:3: 2 rows are of the modified tree 9f8e7d6-dirty; measure them again from a "
+      "clean one\n"
+      "benchmarks/results/vm/bench_b.csv:1: no column says of which commit these results are\n");
 }
 
 TEST(PrintedNumber, KnowsWhatItsLastDigitStandsFor) {

@@ -28,11 +28,12 @@ class Results {
   std::map<std::string, std::vector<Row>> tables_;  // by NAME, header first
 };
 
-/// Value of an expression over results: REFERENCE, or FACTOR * REFERENCE, or the quotient of two of these, " / " between
-/// them. A unit at the end divides nanoseconds: us, ms, s; % multiplies by 100.
+/// Value of an expression over results: REFERENCE, or FACTOR * REFERENCE, or the quotient of two of these, " / "
+/// between them. A unit at the end divides nanoseconds: us, ms, s; % multiplies by 100.
 [[nodiscard]] double valueOf(std::string_view expression, const Results& results);
 
-/// Rows of results that do not name their commit, or name one of a tree that was modified: nobody could measure it again.
+/// Rows of results that do not name their commit, or name one of a tree that was modified: nobody could measure it
+/// again.
 [[nodiscard]] Violations untraceableResults(const std::filesystem::path& root);
 
 }  // namespace vehicle::test

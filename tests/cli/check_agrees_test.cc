@@ -1,4 +1,5 @@
-// What `check` finds is what the command that takes the file refuses it for: the same lines, and none that it would not.
+// What `check` finds is what the command that takes the file refuses it for: the same lines, and none that it would
+// not.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -110,11 +111,11 @@ TEST_F(CheckAgrees, AboutStudies) {
     SCOPED_TRACE(each.middle + " " + each.attributes + " " + each.csv);
     std::filesystem::remove(folder_.path("designs.csv"));
     if (!each.csv.empty()) folder_.file("designs.csv", each.csv);
-    const std::string study = folder_.file("study.xml", "<study name=\"s\" format=\"1\" " + each.attributes + ">\n  " +
-                                                            each.middle +
-                                                            "\n  <metric name=\"carbody.az.rms\"/>\n"
-                                                            "  <objective metric=\"carbody.az.rms\" goal=\"minimise\"/>\n"
-                                                            "</study>\n");
+    const std::string study =
+        folder_.file("study.xml", "<study name=\"s\" format=\"1\" " + each.attributes + ">\n  " + each.middle +
+                                      "\n  <metric name=\"carbody.az.rms\"/>\n"
+                                      "  <objective metric=\"carbody.az.rms\" goal=\"minimise\"/>\n"
+                                      "</study>\n");
     const std::string database = folder_.path(std::to_string(++number).append(".sqlite"));
     expectAgreement({study}, {"study", study, "--output", database, "--quiet"});
   }
@@ -154,12 +155,13 @@ TEST_F(CheckAgrees, AboutVehiclesTrainsAndScenarios) {
       {right, folder_.path("lost.xml")},
       {right, folder_.root().string()},
       {folder_.path("t.xml"), scenario},
-      {folder_.file("t2.xml", R"(<train name="t" format="1"><vehicle file="lost.xml" count="2" spacing="20 m"/></train>)"),
+      {folder_.file("t2.xml",
+                    R"(<train name="t" format="1"><vehicle file="lost.xml" count="2" spacing="20 m"/></train>)"),
        scenario},
       {folder_.file("v2.xml", with(smallVehicle(), "10 t", "-10 t")), scenario},
       {right, folder_.file("s2.xml", with(smallScenario(R"(speed="20 m/s" duration="1 s")"), "25 m", "0 m"))},
-      {right, folder_.file("s3.xml", with(smallScenario(R"(speed="20 m/s" duration="1 s")"), "amplitude=",
-                                          "phase=\"1 rad\" amplitude="))},
+      {right, folder_.file("s3.xml", with(smallScenario(R"(speed="20 m/s" duration="1 s")"),
+                                          "amplitude=", "phase=\"1 rad\" amplitude="))},
   };
   for (const auto& [vehicle, track] : cases) {
     SCOPED_TRACE(vehicle + " " + track);

@@ -33,8 +33,7 @@ TEST(Ending, CtrlCEndsACommandThatKeepsNothingAtOnce) {
   const std::string train = folder.file("t.xml", "<train name=\"long\" format=\"1\">\n  <vehicle file=\"" +
                                                      model("vehicles/al-oraiqat-2017.xml") +
                                                      "\" count=\"200\" spacing=\"16 m\"/>\n</train>\n");
-  const ProgramRun run =
-      runVehicle({"modes", train}, hasComputed, [](pid_t process) { kill(process, SIGINT); });
+  const ProgramRun run = runVehicle({"modes", train}, hasComputed, [](pid_t process) { kill(process, SIGINT); });
   // Killed by the signal: it neither came to its end nor had anything to print before it went.
   EXPECT_EQ(run.status, 128 + SIGINT) << run.err;
   EXPECT_EQ(run.out, "");

@@ -29,7 +29,8 @@ class Terminal {
  public:
   Terminal() : ours_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
     std::array<char, 128> name{};
-    if (ours_ < 0 || ::grantpt(ours_) != 0 || ::unlockpt(ours_) != 0 || ::ptsname_r(ours_, name.data(), name.size()) != 0) {
+    if (ours_ < 0 || ::grantpt(ours_) != 0 || ::unlockpt(ours_) != 0 ||
+        ::ptsname_r(ours_, name.data(), name.size()) != 0) {
       throw std::runtime_error("this system gives no terminal");
     }
     name_ = name.data();
@@ -114,7 +115,7 @@ ProgramRun runVehicle(const std::vector<std::string>& arguments) {
   return {statusOf(state), textOf(out), textOf(err)};
 }
 
-bool showsProgress(const RunningProgram& program) { return program.terminal.find("  [") != std::string::npos; }
+bool showsProgress(const RunningProgram& program) { return program.terminal.find(kEraseLine) != std::string::npos; }
 
 namespace {
 

@@ -15,8 +15,8 @@ TEST(Provenance, OfARunIsWhatWasReadThoughTheFilesAreEditedMeanwhile) {
   const TestFolder folder;
   const std::string run = R"(speed="20 m/s" duration="40000 s" output_step="10 ms")";
   folder.file("wagon.xml", smallVehicle());
-  const std::string train =
-      folder.file("t.xml", R"(<train name="t" format="1"><vehicle file="wagon.xml" count="2" spacing="20 m"/></train>)");
+  const std::string train = folder.file(
+      "t.xml", R"(<train name="t" format="1"><vehicle file="wagon.xml" count="2" spacing="20 m"/></train>)");
   const std::string scenario = folder.file("s.xml", smallScenario(run));
   const auto edit_and_end = [&](pid_t process) {
     folder.file("wagon.xml", "edited");
@@ -24,9 +24,9 @@ TEST(Provenance, OfARunIsWhatWasReadThoughTheFilesAreEditedMeanwhile) {
     folder.file("s.xml", "edited");
     kill(process, SIGINT);
   };
-  const ProgramRun ended = runVehicle(
-      {"simulate", train, scenario, "--form", "mbs", "--method", "rk4", "--output", folder.path("run.h5")},
-      showsProgress, edit_and_end);
+  const ProgramRun ended =
+      runVehicle({"simulate", train, scenario, "--form", "mbs", "--method", "rk4", "--output", folder.path("run.h5")},
+                 showsProgress, edit_and_end);
   ASSERT_EQ(ended.status, 130) << ended.err;
   const RunRecord record = readHdf5(folder.path("run.h5")).orThrow();
   ASSERT_EQ(record.inputs.size(), 3u);
@@ -47,8 +47,7 @@ TEST(Provenance, OfAStudyIsWhatWasReadThoughTheFilesAreEditedMeanwhile) {
     for (const char* name : {"study.xml", "v.xml", "s.xml"}) folder.file(name, "edited");
     kill(process, SIGINT);
   };
-  const ProgramRun ended =
-      runVehicle({"study", study, "--output", database}, hasComputedSince(database), edit_and_end);
+  const ProgramRun ended = runVehicle({"study", study, "--output", database}, hasComputedSince(database), edit_and_end);
   ASSERT_EQ(ended.status, 130) << ended.err;
   const StudyRecord record = StudyDatabase::read(database).record();
   ASSERT_EQ(record.inputs.size(), 3u);

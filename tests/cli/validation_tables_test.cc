@@ -40,7 +40,7 @@ ExitStatus statusOf(const std::vector<ValidationReport>& reports, Unjudged unjud
 ValidationReport busyReport() {
   ValidationReport report = reportWith(Verdict::kNotJudged);
   report.runs[1].ending = RunEnding::kOutOfTime;
-  report.runs[1].reason = "not done after 1 s, because the machine is busy";
+  report.runs[1].reason = "not done after 1 s, its time limit";
   report.pairs[0].columns.clear();
   report.pairs[0].why = "mbs rk4: " + report.runs[1].reason;
   return report;
@@ -90,8 +90,9 @@ TEST(ValidationTables, APairThatWasNotJudgedIsNoPassUnlessItIsAccepted) {
   EXPECT_EQ(statusOf({mixed, reportWith(Verdict::kOutside)}, Unjudged::kAccept), kCheckDidNotHold);
   ASSERT_EQ(complaintsOf(mixed).size(), 1u);
   EXPECT_EQ(complaintsOf(mixed)[0],
-            "coach on waves at 20 m/s: mbs rk4 is not judged: not done after 1 s, because the machine is busy");
-  EXPECT_EQ(documentOf(mixed, Detail::kAll).remarks.back(), "1 pairs inside their expected size, 0 outside, 1 not judged");
+            "coach on waves at 20 m/s: mbs rk4 is not judged: not done after 1 s, its time limit");
+  EXPECT_EQ(documentOf(mixed, Detail::kAll).remarks.back(),
+            "1 pairs inside their expected size, 0 outside, 1 not judged");
   EXPECT_EQ(documentOf({mixed, mixed}).remarks.back(), "2 pairs inside their expected size, 0 outside, 2 not judged");
 }
 
@@ -110,8 +111,9 @@ TEST(ValidationTables, ACaseThatComparesNothingSaysWhy) {
   alone.runs.resize(1);
   alone.pairs.clear();
   alone.misfits = {{"flat", "", "the vehicle has one bogie"}};
-  EXPECT_EQ(whyNothing(alone),
-            "coach on waves at 20 m/s: nothing is judged: no two runs can be compared; flat: the vehicle has one bogie");
+  EXPECT_EQ(
+      whyNothing(alone),
+      "coach on waves at 20 m/s: nothing is judged: no two runs can be compared; flat: the vehicle has one bogie");
   EXPECT_EQ(statusOf({alone}), kCheckDidNotHold);
   EXPECT_EQ(statusOf({alone, reportWith(Verdict::kInside)}), kCheckDidNotHold);
 }

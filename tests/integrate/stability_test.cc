@@ -12,7 +12,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// A method of order p has R(z) = sum z^i / i! up to i = p; the classical one nothing beyond, Dormand and Prince's z^6 / 600.
+// A method of order p has R(z) = sum z^i / i! up to i = p; the classical one nothing beyond, Dormand and Prince's z^6 /
+// 600.
 TEST(StabilityFunction, IsTheTaylorPolynomialOfTheOrder) {
   for (const Complex z : {Complex(-1.3, 0.0), Complex(-0.4, 2.1), Complex(0.0, 1.0)}) {
     const Complex rk4 = 1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0;

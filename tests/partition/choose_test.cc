@@ -52,8 +52,8 @@ bool isBusy(const Decision& made) {
          made.reason.find("too long to try others") != std::string::npos;
 }
 
-/// Decides until a decision fell during which nobody took the core away: on a busy machine timings say nothing about the
-/// ways. Nothing if there is no such moment.
+/// Decides until a decision fell during which nobody took the core away: on a busy machine timings say nothing about
+/// the ways. Nothing if there is no such moment.
 template <class Decide>
 std::optional<Decision> decisionInPeace(Decide decide) {
   const auto lost = [] {
@@ -107,8 +107,9 @@ TEST(Choose, TakesTheFirstWayWithoutATrialWhereTheRunIsShort) {
 
 TEST(Choose, TakesTheWayThatIsFasterAndSaysByHowMuch) {
   const LongRun run;
-  const std::optional<Decision> made = decisionInPeace(
-      [&] { return chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 2e-6), pacedWay(Scheme::kSplit, 2, 1e-6)}); });
+  const std::optional<Decision> made = decisionInPeace([&] {
+    return chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 2e-6), pacedWay(Scheme::kSplit, 2, 1e-6)});
+  });
   if (!made || isBusy(*made)) GTEST_SKIP() << "something else is using the machine";
   EXPECT_EQ(made->scheme, Scheme::kSplit) << made->reason;
   EXPECT_EQ(made->threads, 2);
@@ -119,8 +120,9 @@ TEST(Choose, TakesTheWayThatIsFasterAndSaysByHowMuch) {
 
 TEST(Choose, StaysWithTheFirstWayWhereTheOtherIsSlower) {
   const LongRun run;
-  const std::optional<Decision> made = decisionInPeace(
-      [&] { return chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 1e-6), pacedWay(Scheme::kSplit, 2, 1.5e-6)}); });
+  const std::optional<Decision> made = decisionInPeace([&] {
+    return chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 1e-6), pacedWay(Scheme::kSplit, 2, 1.5e-6)});
+  });
   if (!made || isBusy(*made)) GTEST_SKIP() << "something else is using the machine";
   EXPECT_EQ(made->scheme, Scheme::kSerial) << made->reason;
 }

@@ -234,8 +234,8 @@ TEST(Realtime, NoStepBeginsBeforeItsRelease) {
   const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, kSteps}, kModest, &in, nullptr);
   ASSERT_EQ(began.size(), static_cast<std::size_t>(kSteps));
   EXPECT_EQ(report.wake_up.count, kSteps);
-  // The first release comes a period after the call, and every other one a period or more after the one before: on a busy machine
-  // late by anything, never early. 1e-9 s is the rounding of the clock.
+  // The first release comes a period after the call, and every other one a period or more after the one before: on a
+  // busy machine late by anything, never early. 1e-9 s is the rounding of the clock.
   for (std::size_t i = 0; i < began.size(); ++i) {
     EXPECT_GE(began[i], called + static_cast<double>(i + 1) * kPeriod - 1e-9) << i;
   }

@@ -46,8 +46,8 @@ TEST(ThreadUsage, WorkingIsRunningOrWaitingForACore) {
   const ThreadUsage usage = between(before, usageOfThisThread());
   EXPECT_GT(usage.running, 0.0);
   if (usage.preempted < 0.0) return;
-  // The kernel brings its sums up to date at a switch or a tick of 1..10 ms; a hypervisor may take a share too, which is
-  // no reason to fail: what can be held is that both together are no more than the time that passed.
+  // The kernel brings its sums up to date at a switch or a tick of 1..10 ms; a hypervisor may take a share too, which
+  // is no reason to fail: what can be held is that both together are no more than the time that passed.
   EXPECT_GT(usage.running + usage.preempted, 0.0);
   EXPECT_LT(usage.running + usage.preempted, usage.wall + 0.011);
 }

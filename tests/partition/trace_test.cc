@@ -81,8 +81,8 @@ TEST(Tracer, AWaitNamesWhoWasWaitedForAndLastsAsLongAsItsWork) {
   EXPECT_EQ(longest.for_whom, 0);
   EXPECT_GE(longest.count, 1);
   EXPECT_LE(longest.count, kSteps);
-  // A sleep is never shorter than asked. Only where member 1 loses its core between its word and its wait may it find all
-  // ready: it is enough that it waited a tenth of what the work takes.
+  // A sleep is never shorter than asked. Only where member 1 loses its core between its word and its wait may it find
+  // all ready: it is enough that it waited a tenth of what the work takes.
   EXPECT_GT(longest.seconds, 0.1 * kWork * kSteps);
   EXPECT_GT(trace.steps.p50, 0.9 * kWork);
   EXPECT_GE(trace.steps.most, trace.steps.p999);

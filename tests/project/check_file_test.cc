@@ -100,9 +100,10 @@ TEST_F(CheckFile, JudgesTheListOfDesignsWithItsLines) {
             "list.csv:2: error: column \"frame.mas\": \"nan\" is no number\n"
             "list.csv:3: error: the row has 3 fields, the header 2\n");
   std::filesystem::remove(folder_.path("list.csv"));
-  EXPECT_EQ(problemsOf("study.xml"),
-            "study.xml:5: error: <study><plan>: file=\"list.csv\": cannot be read: No such file or directory; check the "
-            "name of the file\n");
+  EXPECT_EQ(
+      problemsOf("study.xml"),
+      "study.xml:5: error: <study><plan>: file=\"list.csv\": cannot be read: No such file or directory; check the "
+      "name of the file\n");
   std::filesystem::create_directory(folder_.path("list.csv"));
   EXPECT_EQ(problemsOf("study.xml"),
             "study.xml:5: error: <study><plan>: file=\"list.csv\": is a folder; name a file in it\n");
@@ -122,21 +123,24 @@ TEST_F(CheckFile, CountsDesignsAndColumns) {
   lines[3] += R"(<vary parameter="speed" from="20 km/h" to="120 km/h" count="500"/>)";
   lines[5] = metrics;
   folder_.put("study.xml", test::textOf(lines));
-  EXPECT_EQ(problemsOf("study.xml"),
-            "study.xml: error: the study makes 2001 columns (1 parameters, 2000 metrics over all speeds and scenarios), at "
-            "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
+  EXPECT_EQ(
+      problemsOf("study.xml"),
+      "study.xml: error: the study makes 2001 columns (1 parameters, 2000 metrics over all speeds and scenarios), at "
+      "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
   lines = test::kStudyLines;
   lines[3] = R"(<vary parameter="frame.mass" from="1 t" to="90 t"/>)";
   lines[4] = R"(<search method="nsga2" population="1000000" generations="1000000"/>)";
   lines[6] += R"(<metric name="frame.z.rms"/><objective metric="frame.z.rms" goal="minimise"/>)";
   folder_.put("study.xml", test::textOf(lines));
-  EXPECT_EQ(problemsOf("study.xml"),
-            "study.xml:5: error: <study><search>: makes 1000001000000 designs in 1000001 generations; at most 1000000000 "
-            "are kept; take fewer generations or a smaller population\n");
+  EXPECT_EQ(
+      problemsOf("study.xml"),
+      "study.xml:5: error: <study><search>: makes 1000001000000 designs in 1000001 generations; at most 1000000000 "
+      "are kept; take fewer generations or a smaller population\n");
 }
 
 TEST_F(CheckFile, RefusesASteadyStateOverADip) {
-  folder_.put("s.xml", withLine(test::kScenarioLines, 4, R"(<dip shape="half_sine" depth="5 mm" length="3 m" start="20 m"/>)"));
+  folder_.put("s.xml",
+              withLine(test::kScenarioLines, 4, R"(<dip shape="half_sine" depth="5 mm" length="3 m" start="20 m"/>)"));
   EXPECT_EQ(withStudyLine(1, R"(<study name="d" format="1" evaluation="steady_state">)"),
             "s.xml:1: error: <scenario>: has a dip or a ramp, which is met once: the study asks for the steady state; "
             "leave evaluation=\"steady_state\" out, or name a scenario of harmonics\n");
@@ -160,10 +164,11 @@ TEST_F(CheckFile, NamesUnknownFormsAndMethodsOfASuite) {
 }
 
 TEST_F(CheckFile, ReportsFilesThatASuiteCannotUse) {
-  EXPECT_EQ(withSuiteLine(3, R"(<scenario file="v.xml"/> <scenario file="lost.xml"/>)"),
-            "u.xml:3: error: <suite><scenario>: file=\"v.xml\" holds a <vehicle>; a <scenario> is expected here\n"
-            "u.xml:3: error: <suite><scenario>: file=\"lost.xml\": cannot be read: No such file or directory; check the "
-            "name of the file\n");
+  EXPECT_EQ(
+      withSuiteLine(3, R"(<scenario file="v.xml"/> <scenario file="lost.xml"/>)"),
+      "u.xml:3: error: <suite><scenario>: file=\"v.xml\" holds a <vehicle>; a <scenario> is expected here\n"
+      "u.xml:3: error: <suite><scenario>: file=\"lost.xml\": cannot be read: No such file or directory; check the "
+      "name of the file\n");
   EXPECT_EQ(withSuiteLine(2, R"(<vehicle file="t.xml"/>)"), "");
 }
 
@@ -177,13 +182,16 @@ TEST_F(CheckFile, HoldsEveryVehicleOfASuiteAgainstEveryScenarioOnce) {
   folder_.put("jump.xml", test::withLine(test::kScenarioLines, 4,
                                          R"(<harmonic wavelength="25 m" amplitude="5 mm" phase="1 rad"/>)"));
   // At 14 speeds, said once.
-  EXPECT_EQ(withSuiteLine(3, R"(<scenario file="jump.xml"/>)").find("jump.xml:4: error: <scenario><track><harmonic>: phase"), 0u);
+  EXPECT_EQ(
+      withSuiteLine(3, R"(<scenario file="jump.xml"/>)").find("jump.xml:4: error: <scenario><track><harmonic>: phase"),
+      0u);
   EXPECT_EQ(withSuiteLine(3, R"(<scenario file="jump.xml"/>)").find('\n') + 1,
             withSuiteLine(3, R"(<scenario file="jump.xml"/>)").size());
 }
 
 TEST_F(CheckFile, RefusesHistoriesThatDoNotFitInMemory) {
-  folder_.put("s.xml", test::withLine(test::kScenarioLines, 2, R"(<run speed="20 m/s" duration="1000 s" output_step="0.1 ms"/>)"));
+  folder_.put("s.xml", test::withLine(test::kScenarioLines, 2,
+                                      R"(<run speed="20 m/s" duration="1000 s" output_step="0.1 ms"/>)"));
   EXPECT_EQ(withSuiteLine(2, R"(<vehicle file="t.xml"/>)"), "");  // the reference alone
   test::Lines lines = test::withLines(test::kSuiteLines, 2, R"(<vehicle file="t.xml"/>)");
   lines[4] = R"(<form name="mbs"/>)";
@@ -199,8 +207,7 @@ TEST_F(CheckFile, WarnsOfASuiteThatJudgesNothing) {
   EXPECT_EQ(checked.problems.text(), "");
   ASSERT_EQ(checked.warnings.size(), 1u);
   const std::string text = folder_.withoutFolder(checked.warnings[0].text());
-  EXPECT_EQ(text.find("u.xml:1: warning: u: nothing is judged: no two runs can be compared of any of its vehicles; of v: "
-                      "flat: "),
+  EXPECT_EQ(text.find("u.xml:1: warning: u: nothing is judged: no two runs of a vehicle can be compared; v: flat: "),
             0u)
       << text;
   EXPECT_NE(text.find("; name a form and methods that can run it [NOTHING_JUDGED]"), std::string::npos) << text;

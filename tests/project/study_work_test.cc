@@ -15,8 +15,8 @@ namespace {
 
 /// A study in a folder of its own, of a train whose vehicle lies in another, with a list of designs.
 std::string trainStudyIn(const test::ProjectFolder& folder) {
-  folder.put("trains/t.xml", test::withLine(test::kTrainLines, 2,
-                                            R"(<vehicle file="../vehicles/v.xml" count="2" spacing="26 m"/>)"));
+  folder.put("trains/t.xml",
+             test::withLine(test::kTrainLines, 2, R"(<vehicle file="../vehicles/v.xml" count="2" spacing="26 m"/>)"));
   folder.put("vehicles/v.xml", test::textOf(test::kVehicleLines));
   folder.put("studies/lists/list.csv", "coupling.stiffness_z [kN/m]\n40\n60\n");
   return folder.put("studies/study.xml", R"(<study name="d" format="1">
@@ -38,8 +38,8 @@ TEST(StudyWork, KeepsEveryFileUnderTheNameThatLeadsToItFromTheStudy) {
   const test::ProjectFolder folder;
   FileSource disk;
   const StudyWork work = readStudyWork(trainStudyIn(folder), disk).orThrow();
-  EXPECT_EQ(namesOf(work.texts), (std::vector<std::string>{"study.xml", "../trains/t.xml", "../vehicles/v.xml", "../s.xml",
-                                                           "lists/list.csv"}));
+  EXPECT_EQ(namesOf(work.texts), (std::vector<std::string>{"study.xml", "../trains/t.xml", "../vehicles/v.xml",
+                                                           "../s.xml", "lists/list.csv"}));
   EXPECT_EQ(work.texts[2].text, test::textOf(test::kVehicleLines));
   ASSERT_TRUE(work.train.has_value());
   EXPECT_EQ(work.plan.size(), 3u);
@@ -74,8 +74,8 @@ TEST(StudyWork, FindsAVehicleThatIsNamedAbsolutelyInTheDatabaseToo) {
   const test::ProjectFolder folder;
   const std::string vehicle = folder.path("v.xml");
   const std::string study =
-      folder.put("in/study.xml", test::withLine(test::withLines(test::kStudyLines, 3, R"(<scenario file="../s.xml"/>)"), 2,
-                                                "<vehicle file=\"" + vehicle + "\"/>"));
+      folder.put("in/study.xml", test::withLine(test::withLines(test::kStudyLines, 3, R"(<scenario file="../s.xml"/>)"),
+                                                2, "<vehicle file=\"" + vehicle + "\"/>"));
   FileSource disk;
   StudyRecord record;
   record.inputs = readStudyWork(study, disk).orThrow().texts;

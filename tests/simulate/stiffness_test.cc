@@ -56,7 +56,8 @@ TEST(StiffRun, IsNoneOfFewSteps) {
   EXPECT_FALSE(stiffRun(ofSteps(900), shorter, kStiffModes).has_value());
 }
 
-std::string noteOf(const Vehicle& vehicle, const std::string& form, const std::string& method, double relative = 1e-10) {
+std::string noteOf(const Vehicle& vehicle, const std::string& form, const std::string& method,
+                   double relative = 1e-10) {
   Scenario scenario = test::paperScenario(History::kExtended);
   scenario.run.duration = 2.0;
   RunChoice choice;
@@ -66,8 +67,8 @@ std::string noteOf(const Vehicle& vehicle, const std::string& form, const std::s
   return stiffnessNote(vehicle, scenario, choice, simulate(vehicle, scenario, choice));
 }
 
-/// One body on a wheelset whose contact is damped far beyond critically: that motion dies away within 30 us, and no wave of
-/// the rail keeps it up.
+/// One body on a wheelset whose contact is damped far beyond critically: that motion dies away within 30 us, and no
+/// wave of the rail keeps it up.
 Vehicle stiffVehicle() {
   Vehicle vehicle;
   vehicle.name = "stiff";
@@ -102,9 +103,7 @@ TEST(StiffnessNote, IsEmptyForVehiclesThatAreNotStiffAtAnyTolerance) {
   }
 }
 
-TEST(StiffnessNote, IsEmptyForOtherMethods) {
-  EXPECT_EQ(noteOf(stiffVehicle(), "matrix", "exact"), "");
-}
+TEST(StiffnessNote, IsEmptyForOtherMethods) { EXPECT_EQ(noteOf(stiffVehicle(), "matrix", "exact"), ""); }
 
 }  // namespace
 }  // namespace vehicle

@@ -170,8 +170,8 @@ TEST(AtomicFile, AFileOrFolderWithoutPermissionIsLeftAlone) {
   EXPECT_EQ(textOf(folder / "old.csv"), "old");
 }
 
-// A child writes version after version over the same name and is killed at a random moment after the first ones, wherever
-// that falls: composing, writing, flushing, renaming. What stands there must be one whole version.
+// A child writes version after version over the same name and is killed at a random moment after the first ones,
+// wherever that falls: composing, writing, flushing, renaming. What stands there must be one whole version.
 void killWhileWriting(const std::string& name, const std::function<TimeHistory(const std::string&)>& read) {
   const TestFolder scratch;
   const std::string path = scratch.path(name);

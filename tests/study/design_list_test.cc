@@ -78,7 +78,8 @@ TEST(DesignList, EveryWrongLineIsTold) {
   EXPECT_EQ(problems("carbody.mass [t];primary.stiffness_z [kN/m]\n50;3000\n"),
             "list.csv:1: error: the fields are separated by \";\"; separate them by commas, and write decimals with a "
             "point: a header reads e.g. \"secondary.stiffness_z [kN/m],carbody.mass [t]\"\n");
-  EXPECT_EQ(problems("carbody.mass [t]\n1e308\n"), "list.csv:2: error: column \"carbody.mass\": \"1e308\" is no number\n");
+  EXPECT_EQ(problems("carbody.mass [t]\n1e308\n"),
+            "list.csv:2: error: column \"carbody.mass\": \"1e308\" is no number\n");
   EXPECT_EQ(problems("carbody.mass [t]\n"), "list.csv: error: holds no design; write one a row under the header\n");
   study.designs = {{"light", "", {{"carbody.mass", "7 t", {}}}, {}}};
   EXPECT_EQ(

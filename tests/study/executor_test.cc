@@ -211,8 +211,8 @@ TEST(ThreadExecutor, WaitsWhenTheSinkIsSlow) {
 }
 
 TEST(ThreadExecutor, UnevenWorkIsShared) {
-  // A quarter of the designs each. Once all threads have begun, the first design takes until another thread evaluates one
-  // of its own quarter: threads that are through must take from whoever has work, or the watchdog ends the test.
+  // A quarter of the designs each. Once all threads have begun, the first design takes until another thread evaluates
+  // one of its own quarter: threads that are through must take from whoever has work, or the watchdog ends the test.
   const Watchdog watchdog;
   constexpr int kThreads = 4;
   std::atomic<int> begun = 0;

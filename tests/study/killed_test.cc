@@ -37,7 +37,8 @@ Study sweep() {
 class SharedCount {
  public:
   SharedCount() {
-    void* memory = ::mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void* memory =
+        ::mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::runtime_error("no memory to share");
     count_ = new (memory) std::atomic<std::uint64_t>(0);
   }
@@ -84,8 +85,8 @@ TEST(StudyRunner, AStudyKilledAtAnyMomentIsResumedToTheSameTable) {
     const std::string file = "killed-" + std::to_string(i);
     // Twice: the second child is killed while it goes on.
     for (int child = 0; child < 2; ++child) {
-      const auto awaited =
-          static_cast<std::uint64_t>(std::uniform_real_distribution<>(0.0, 0.9)(random) * static_cast<double>(plan.size()));
+      const auto awaited = static_cast<std::uint64_t>(std::uniform_real_distribution<>(0.0, 0.9)(random) *
+                                                      static_cast<double>(plan.size()));
       *done = 0;
       const pid_t process = ::fork();
       ASSERT_GE(process, 0);

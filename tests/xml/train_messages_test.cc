@@ -100,8 +100,9 @@ TEST_F(TrainFolder, ATrainIsReadWithItsVehiclesAndIsAVehicle) {
 TEST_F(TrainFolder, AVehicleFileThatIsMissingOrNoVehicleIsToldByTheTrain) {
   const std::string file = train(R"(<vehicle file="lost.xml" spacing="26 m"/> <vehicle file="t.xml" spacing="26 m"/>)");
   EXPECT_EQ(readTrain(file).problems.text(),
-            file + ":2: error: <train><vehicle>: file=\"lost.xml\": cannot be read: No such file or directory; check "
-                   "the name of the file\n" +
+            file +
+                ":2: error: <train><vehicle>: file=\"lost.xml\": cannot be read: No such file or directory; check "
+                "the name of the file\n" +
                 file + ":2: error: <train><vehicle>: file=\"t.xml\" holds a <train>; a <vehicle> is expected here\n");
   EXPECT_EQ(readVehicle(file).problems.text(), readTrain(file).problems.text());
 }
@@ -116,8 +117,10 @@ TEST_F(TrainFolder, ProblemsOfAVehicleFileAreToldOnceAtItsOwnPlace) {
 
 TEST_F(TrainFolder, ContradictionsBetweenATrainAndItsVehiclesAreTold) {
   const std::string file = train(R"(<vehicle file="v.xml" count="2" spacing="20 m"/>)");
-  EXPECT_EQ(readTrain(file).problems.text(), file + ":2: error: <train><vehicle>: the ends of \"v.xml\" and \"v.xml\" overlap by "
-                                           "5 m; take a larger spacing or a smaller end_x\n");
+  EXPECT_EQ(readTrain(file).problems.text(),
+            file +
+                ":2: error: <train><vehicle>: the ends of \"v.xml\" and \"v.xml\" overlap by "
+                "5 m; take a larger spacing or a smaller end_x\n");
 }
 
 TEST(ScenarioReader, NamesPartsOfATrainByVehicleAndPart) {

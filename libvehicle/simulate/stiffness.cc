@@ -21,7 +21,7 @@ using Complex = std::complex<double>;
 
 constexpr int kMostStates = 400;         // half a second for their eigenvalues
 constexpr long kFewSteps = 1000;         // done at once, stiff or not
-constexpr double kHardlyThere = 10.0;    // tolerances
+constexpr double kDiedAway = 10.0;    // tolerances
 constexpr double kWorthASentence = 4.0;  // times the step
 
 /// The step [s] that errs by the tolerance in a motion exp(lambda t): the error grows with its sixth power.
@@ -60,7 +60,7 @@ std::optional<StiffRun> stiffRun(const Statistics& statistics, const FollowedMot
   run.step = motion.duration / static_cast<double>(statistics.steps);
   run.needed = stepThatFollows({0.0, motion.fastest_input}, motion.tolerance);
   for (const Complex& each : eigenvalues) {
-    const bool is_followed = modeError(kDopri5, run.step * each) <= kHardlyThere * motion.tolerance;
+    const bool is_followed = modeError(kDopri5, run.step * each) <= kDiedAway * motion.tolerance;
     if (is_followed) run.needed = std::min(run.needed, stepThatFollows(each, motion.tolerance));
     if (!is_followed && std::abs(each) > std::abs(run.eigenvalue)) run.eigenvalue = each;
   }
@@ -84,7 +84,7 @@ std::string stiffnessNote(const Vehicle& vehicle, const Scenario& scenario, cons
       stiffRun(result.statistics, motion, {eigenvalues.data(), static_cast<std::size_t>(eigenvalues.size())});
   if (!stiff) return {};
   return fmt::format(
-      "dopri5 took {} steps of {:.2g} s, where the motion asks for {:.2g} s: a mode of {:.3g} 1/s that is hardly there "
+      "dopri5 took {} steps of {:.2g} s, where the motion asks for {:.2g} s: a mode of {:.3g} 1/s that has died away "
       "keeps "
       "them short; {}",
       result.statistics.steps, stiff->step, stiff->needed, std::abs(stiff->eigenvalue),

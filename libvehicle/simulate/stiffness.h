@@ -9,7 +9,7 @@
 
 namespace vehicle {
 
-/// A run of dopri5 that was kept to short steps by a mode that is hardly there.
+/// A run of dopri5 that was kept to short steps by a mode that has died away.
 struct StiffRun {
   double step = 0.0;                     // [s] mean of the run
   double needed = 0.0;                   // [s] what the rest of the motion asks for; infinite if there is none

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -41,12 +42,14 @@ double fastestOf(const Input& input) {
   return fastest;
 }
 
-/// The tolerance of a step relative to the motion: the absolute one counts against the largest displacement.
-double toleranceOf(const RunChoice& choice, const System& form, const TimeHistory& history) {
+/// The tolerance of a step relative to the motion: the absolute one counts against the largest displacement of a body.
+double toleranceOf(const RunChoice& choice, const System& form, const RunResult& result) {
+  const std::vector<Channel>& states = form.states();
   double largest = 0.0;
-  for (const Channel& state : form.states()) {
-    if (state.unit != "m") continue;
-    for (const double value : history.column(state.name)) largest = std::max(largest, std::abs(value));
+  for (std::size_t i = 0; i < result.summaries.size(); ++i) {
+    const Channel& column = result.history.columns()[i + 1];  // time is the first
+    if (column.unit != "m" || std::find(states.begin(), states.end(), column) == states.end()) continue;
+    largest = std::max(largest, result.summaries[i].peak());
   }
   return choice.relative + (largest > 0.0 ? choice.absolute / largest : 0.0);
 }
@@ -70,15 +73,13 @@ std::optional<StiffRun> stiffRun(const Statistics& statistics, const FollowedMot
 
 std::string stiffnessNote(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
                           const RunResult& result) {
-  const TimeHistory& history = result.history;
-  if (result.method != "dopri5" || history.samples() < 2) return {};
+  if (result.method != "dopri5") return {};
   const Topology topology = topologyOf(vehicle);
   if (2 * topology.coordinates > kMostStates) return {};
   const bool linear = isLinearForm(result.form);
   const std::unique_ptr<System> form = buildForm(linear ? result.form : "matrix", vehicle, scenario.gravity);
   const Eigen::VectorXcd eigenvalues = form->linear()->A.eigenvalues();
-  const FollowedMotion motion{history.at(history.samples() - 1, 0) - history.at(0, 0),
-                              toleranceOf(choice, *form, history),
+  const FollowedMotion motion{result.reached, toleranceOf(choice, *form, result),
                               fastestOf(inputOf(scenario, topology, result.speed))};
   const std::optional<StiffRun> stiff =
       stiffRun(result.statistics, motion, {eigenvalues.data(), static_cast<std::size_t>(eigenvalues.size())});

@@ -13,7 +13,7 @@ namespace {
 
 TEST(Provenance, OfARunIsWhatWasReadThoughTheFilesAreEditedMeanwhile) {
   const TestFolder folder;
-  const std::string run = R"(speed="20 m/s" duration="40000 s" output_step="10 ms")";
+  const std::string run = R"(speed="20 m/s" duration="4000 s" output_step="10 ms")";
   folder.file("wagon.xml", smallVehicle());
   const std::string train = folder.file(
       "t.xml", R"(<train name="t" format="1"><vehicle file="wagon.xml" count="2" spacing="20 m"/></train>)");

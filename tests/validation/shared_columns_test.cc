@@ -64,7 +64,7 @@ TEST(SharedColumns, AreInsideFrom20To150KilometresAnHour) {
     choice.forms = {"flat", "mbs-linear"};
     choice.methods = {"rk4", "exact"};
     choice.run.speed = kmh / 3.6;
-    expectEqualBits(validate(test::paperVehicle(), onsetFor(0.5), choice));
+    expectEqualBits(validate(test::paperVehicle(), onsetFor(0.2), choice));
   }
 }
 

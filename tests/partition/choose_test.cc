@@ -61,7 +61,7 @@ std::optional<Decision> decisionInPeace(Decide decide) {
     ::getrusage(RUSAGE_SELF, &usage);
     return usage.ru_nivcsw;
   };
-  for (int attempt = 0; attempt < 20; ++attempt) {
+  for (int attempt = 0; attempt < 8; ++attempt) {
     const long before = lost();
     Decision made = decide();
     if (lost() == before) return made;

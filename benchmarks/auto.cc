@@ -268,6 +268,7 @@ int main(int argc, char** argv) {
     if (word == "seconds") settings.seconds = std::clamp(std::atof(each.c_str()), 0.01, 60.0);
     if (word == "turns") settings.turns = std::clamp(std::atoi(each.c_str()), 1, 101);
   }
+  requireKnownCommit(csv);
   fmt::print("{} cores\n", vehicle::allowedCores().size());
   std::vector<Row> rows;
   const auto add = [&](std::vector<Row> more) { rows.insert(rows.end(), more.begin(), more.end()); };

@@ -346,15 +346,16 @@ void write(const std::string& folder) {
 
 int main(int argc, char** argv) {
   constexpr const char* kResults = "--results=";
+  std::string results;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strncmp(argv[i], kResults, std::strlen(kResults)) == 0) results = argv[i] + std::strlen(kResults);
+  }
+  vehicle::bench::requireKnownCommit(results);
   std::vector<std::string> claims;
   vehicle::bench::runs(claims);
   vehicle::bench::steady(claims);
   fmt::print("\n");
   for (const std::string& claim : claims) fmt::print("{}\n", claim);
-  for (int i = 1; i < argc; ++i) {
-    if (std::strncmp(argv[i], kResults, std::strlen(kResults)) == 0) {
-      vehicle::bench::write(argv[i] + std::strlen(kResults));
-    }
-  }
+  if (!results.empty()) vehicle::bench::write(results);
   return 0;
 }

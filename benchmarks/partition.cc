@@ -379,6 +379,7 @@ int main(int argc, char** argv) {
       wanted.insert(word);
     }
   }
+  requireKnownCommit(csv);
   const auto asked = [&](const char* what) { return wanted.empty() || wanted.count(what) > 0; };
   fmt::print("{} cores\n", vehicle::allowedCores().size());
   std::vector<Figure> figures;

@@ -133,6 +133,7 @@ int main(int argc, char** argv) {
       arguments.push_back(argv[i]);
     }
   }
+  vehicle::bench::requireKnownCommit(results);
   for (const auto& registration : registrations()) registration(thread_counts);
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());

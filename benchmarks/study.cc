@@ -3,7 +3,7 @@
 //
 // usage: bench_study DESIGNS THREADS FILE      FILE is written and removed; "none": nothing is stored
 // Prints one CSV line: designs, threads, seconds, designs per second, ns per design and speed, megabytes of the file,
-// megabytes of memory at most. One run a process: the memory is that of this run.
+// megabytes of memory at most, what it was built by. One run a process: the memory is that of this run.
 
 #include <sys/resource.h>
 
@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "benchmarks/built_by.h"
 #include "libvehicle/study/runner.h"
 #include "libvehicle/xml/reader.h"
 
@@ -75,9 +76,11 @@ int run(const std::string& designs, int threads, const std::string& file) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const auto n = static_cast<double>(plan.size());
-  fmt::print("designs,threads,stored,seconds,designs_per_second,ns_per_design_and_speed,file_mb,memory_mb\n");
-  fmt::print("{},{},{},{:.3f},{:.0f},{:.1f},{:.1f},{:.1f}\n", plan.size(), threads, file != "none", seconds,
-             n / seconds, 1e9 * seconds / n / 14.0, megabytes, static_cast<double>(usage.ru_maxrss) / 1024.0);
+  fmt::print("designs,threads,stored,seconds,designs_per_second,ns_per_design_and_speed,file_mb,memory_mb,{}\n",
+             bench::kBuiltByColumns);
+  fmt::print("{},{},{},{:.3f},{:.0f},{:.1f},{:.1f},{:.1f},{}\n", plan.size(), threads, file != "none", seconds,
+             n / seconds, 1e9 * seconds / n / 14.0, megabytes, static_cast<double>(usage.ru_maxrss) / 1024.0,
+             bench::builtBy());
   return 0;
 }
 

@@ -1,82 +1,57 @@
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/options.h"
-#include "libvehicle/excitation/excitation.h"
-#include "libvehicle/statics/rest.h"
-#include "libvehicle/xml/reader.h"
+#include "apps/cli/remarks.h"
+#include "libvehicle/project/check_file.h"
+#include "libvehicle/project/together.h"
 
 namespace vehicle::cli {
 namespace {
 
-/// What a definition still hides when its own values are right: a weight that its springs cannot carry, a rail
-/// that jumps, names that the vehicle does not have.
-ProblemList checkPair(const Vehicle& vehicle, const std::optional<Scenario>& scenario) {
-  try {
-    const Topology topology = topologyOf(vehicle);
-    constexpr double kGravity = 9.81;  // [m/s^2]
-    static_cast<void>(restOf(topology, scenario ? scenario->gravity : kGravity));
-    if (!scenario) return {};
-    if (ProblemList problems = check(*scenario, vehicle); !problems.empty()) return problems;
-    static_cast<void>(inputOf(*scenario, topology, scenario->run.speed));
-  } catch (const InvalidInput& wrong) {
-    return wrong.problems();
-  }
-  return {};
-}
-
 struct Judged {
   std::string file;
-  ProblemList problems;
-  std::optional<Vehicle> vehicle;
-  std::optional<Scenario> scenario;
+  CheckedFile found;
 };
 
-Judged judge(const std::string& file) {
-  Judged judged{file, checkFile(file), {}, {}};
-  if (!judged.problems.empty()) return judged;
-  const FileKind kind = kindOf(file).value.value_or(FileKind::kSuite);
-  if (kind == FileKind::kVehicle || kind == FileKind::kTrain) judged.vehicle = readVehicle(file).value;
-  if (kind == FileKind::kScenario) judged.scenario = readScenario(file).value;
-  if (judged.vehicle) judged.problems = checkPair(*judged.vehicle, std::nullopt);
-  return judged;
-}
-
 int checkFiles(const std::vector<std::string>& files, const CommonOptions& common) {
+  FileSource disk;
   std::vector<Judged> all;
-  for (const std::string& file : files) all.push_back(judge(file));
+  for (const std::string& file : files) all.push_back({file, checkFile(file, disk)});
   // Every scenario given is held against every vehicle given.
   for (Judged& scenario : all) {
-    if (!scenario.scenario || !scenario.problems.empty()) continue;
+    if (!scenario.found.scenario) continue;
     for (const Judged& vehicle : all) {
-      if (vehicle.vehicle && vehicle.problems.empty()) {
-        scenario.problems.append(checkPair(*vehicle.vehicle, scenario.scenario));
-      }
+      if (!vehicle.found.vehicle) continue;
+      scenario.found.problems.append(
+          checkTogether(*vehicle.found.vehicle, *scenario.found.scenario, scenario.found.scenario->run.speed));
     }
   }
   Table table{
       "files", {{"file", ""}, {"line", ""}, {"verdict", ""}, {"element", ""}, {"message", ""}, {"remedy", ""}}, {}};
-  ExitStatus status = kDone;
-  for (const Judged& judged : all) {
-    if (judged.problems.empty()) table.rows.push_back({judged.file, {}, std::string("ok"), {}, {}, {}});
-    for (const Problem& problem : judged.problems) {
+  bool right = true;
+  Warnings warnings;
+  for (const auto& [file, found] : all) {
+    right = right && found.problems.empty();
+    if (found.problems.empty()) table.rows.push_back({file, {}, std::string("ok"), {}, {}, {}});
+    for (const Problem& problem : found.problems) {
       table.rows.push_back({problem.place.file, static_cast<long>(problem.place.line), std::string("error"),
                             problem.element, problem.message, problem.remedy});
-      status = kInputIsWrong;
     }
+    warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
     if (common.format != Format::kTable) continue;
-    std::cout << (judged.problems.empty() ? judged.file + ": ok\n" : judged.problems.text());
+    std::cout << (found.problems.empty() ? file + ": ok\n" : found.problems.text());
   }
-  if (common.format != Format::kTable) print({{}, {table}, {}}, common.format, std::cout);
-  return status;
+  std::cout.flush();
+  printWarnings(warnings);
+  Document document{{}, {table}, {}};
+  addWarnings(warnings, common, document);
+  if (common.format != Format::kTable) print(document, common.format, std::cout);
+  return right ? statusAfter(warnings, common) : kInputIsWrong;
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 #include "apps/cli/model_options.h"
 
-#include <utility>
-
 #include "apps/cli/options.h"
-#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 
@@ -25,13 +22,8 @@ void addGravity(CLI::App& command, double& gravity) {
 }
 
 Model readModel(const ModelFiles& files) {
-  Outcome<Vehicle> vehicle = readVehicle(files.vehicle);
-  Outcome<Scenario> scenario = readScenario(files.scenario);
-  ProblemList problems = vehicle.problems;
-  problems.append(scenario.problems);
-  if (problems.empty()) problems.append(check(*scenario.value, *vehicle.value));
-  if (!problems.empty()) throw InvalidInput(std::move(problems));
-  return {std::move(*vehicle.value), std::move(*scenario.value)};
+  FileSource disk;
+  return vehicle::readModel(files.vehicle, files.scenario, disk);
 }
 
 }  // namespace vehicle::cli

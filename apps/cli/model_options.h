@@ -4,8 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/project/model.h"
 
 namespace vehicle::cli {
 
@@ -20,11 +19,7 @@ void addScenarioFile(CLI::App& command, ModelFiles& files);
 /// Gravity of a command without scenario [m/s^2].
 void addGravity(CLI::App& command, double& gravity);
 
-struct Model {
-  Vehicle vehicle;
-  Scenario scenario;
-};
-/// Reads both; the problems of both files are told together, then what the scenario asks of this vehicle.
+/// Reads both, with the texts that they are made of.
 /// @throws InvalidInput
 [[nodiscard]] Model readModel(const ModelFiles& files);
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "libvehicle/storage/atomic_file.h"
-#include "libvehicle/storage/read_file.h"
 
 namespace vehicle::cli {
 
@@ -23,7 +22,7 @@ void requireWritable(const std::vector<std::string>& outputs) {
   for (const std::string& output : outputs) const AtomicFile probe(output);
 }
 
-RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice& choice, const RunResult& result) {
+RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult& result) {
   RunRecord record;
   record.history = result.history;
   record.attributes = {{"version", VEHICLE_VERSION},
@@ -51,14 +50,7 @@ RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice&
   for (std::size_t i = 0; i < result.warnings.size(); ++i) {
     record.attributes.emplace_back(fmt::format("warning {}", i + 1), result.warnings[i].text());
   }
-  std::vector<std::string> inputs = {files.vehicle, files.scenario};
-  // A train's parts come from other files.
-  for (const Body& body : model.vehicle.bodies) {
-    if (std::find(inputs.begin(), inputs.end(), body.origin.file) == inputs.end()) inputs.push_back(body.origin.file);
-  }
-  for (const std::string& file : inputs) {
-    record.inputs.push_back({file, readFile(file).orThrow()});
-  }
+  record.inputs = model.inputs;
   return record;
 }
 

@@ -14,8 +14,7 @@ namespace vehicle::cli {
 /// @throws RunFailed              the folder is missing or may not be written
 void requireWritable(const std::vector<std::string>& outputs);
 
-/// The run with everything needed to repeat it: version, names, settings, statistics, both input files.
-[[nodiscard]] RunRecord recordOf(const ModelFiles& files, const Model& model, const RunChoice& choice,
-                                 const RunResult& result);
+/// The run with everything needed to repeat it: version, names, settings, statistics, input files as they were read.
+[[nodiscard]] RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult& result);
 
 }  // namespace vehicle::cli

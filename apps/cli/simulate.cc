@@ -15,6 +15,7 @@
 #include "apps/cli/remarks.h"
 #include "apps/cli/run_files.h"
 #include "apps/cli/thread_options.h"
+#include "libvehicle/simulate/stiffness.h"
 
 namespace vehicle::cli {
 namespace {
@@ -38,7 +39,7 @@ int simulateAndStore(const Options& options) {
     result =
         simulate(model.vehicle, model.scenario, choice, [&](double share) { return bar.update(share, "simulate"); });
   }
-  const RunRecord record = recordOf(options.files, model, options.choice, result);
+  const RunRecord record = recordOf(model, options.choice, result);
   for (const std::string& output : options.outputs) writeHistory(output, record);
 
   Document document;
@@ -59,6 +60,9 @@ int simulateAndStore(const Options& options) {
   addWarnings(result.warnings, options.common, document);
   print(document, options.common.format, std::cout);
   for (const std::string& note : result.notes) printNote(note, options.common);
+  if (const std::string note = stiffnessNote(model.vehicle, model.scenario, options.choice, result); !note.empty()) {
+    printNote(note, options.common);
+  }
   printWarnings(result.warnings);
   for (const std::string& output : options.outputs) {
     if (!options.common.quiet) std::cerr << fmt::format("written: {}\n", output);

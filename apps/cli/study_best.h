@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/cli/study_files.h"
+#include "libvehicle/project/study_work.h"
 #include "libvehicle/study/summary.h"
 
 namespace vehicle::cli {

@@ -11,8 +11,8 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/study_best.h"
-#include "apps/cli/study_files.h"
 #include "apps/cli/study_tables.h"
+#include "libvehicle/project/study_work.h"
 #include "libvehicle/storage/atomic_file.h"
 #include "libvehicle/study/evaluate/rest_and_modes.h"
 #include "libvehicle/study/runner.h"
@@ -34,7 +34,8 @@ std::unique_ptr<Executor> executorOf(const StudyOptions& options) {
 /// The part of a rank that does not lead. It keeps silent: what is wrong with the files the leader tells.
 int help(const StudyOptions& options, Executor& executor) {
   try {
-    const StudyWork work = readStudyWork(options.study);
+    FileSource disk;
+    const StudyWork work = readStudyWork(options.study, disk).orThrow();
     const StudyTarget nowhere;
     static_cast<void>(work.inputs.study.search ? searchStudy(work.inputs, work.plan, nowhere, executor)
                                                : runStudy(work.inputs, work.plan, nowhere, executor));
@@ -142,7 +143,11 @@ Document headOf(const StudyWork& work, const std::string& database) {
 int runStudyFile(const StudyOptions& options) {
   const std::unique_ptr<Executor> executor = executorOf(options);
   if (!executor->leads()) return help(options, *executor);
-  const StudyWork work = readStudyWork(options.study);
+  FileSource disk;
+  const StudyWork work = readStudyWork(options.study, disk).orThrow();
+  if (ProblemList problems = checkBeforeFirstDesign(work, options.study); !problems.empty()) {
+    throw InvalidInput(std::move(problems));
+  }
   requireTargets(options);
   Document document = headOf(work, options.database);
   document.remarks.push_back(StudyEvaluator(work.inputs).path().text);

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,8 +13,10 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/remarks.h"
 #include "apps/cli/validation_tables.h"
-#include "apps/cli/validation_work.h"
+#include "libvehicle/project/suite_work.h"
+#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 namespace {
@@ -21,40 +26,83 @@ struct Options {
   ValidationChoice choice;
   CommonOptions common;
   bool details = false;
+  bool allow_unjudged = false;
 };
 
-int validateAll(const Options& options) {
-  const ValidationWork work = readWork(options.files, options.choice);
-  const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
+/// One case, or all of a suite.
+struct Work {
+  SuiteWork cases;
+  bool is_suite = false;
+};
+
+/// VEHICLE and SCENARIO, or a suite alone and all files that it names.
+Work readWork(const ModelFiles& named, const ValidationChoice& choice) {
+  FileSource disk;
+  const bool is_suite = kindOf(named.vehicle, disk).orThrow() == FileKind::kSuite;
+  if (is_suite && !named.scenario.empty())
+    throw std::invalid_argument("a suite names its scenarios itself; leave out SCENARIO");
+  if (!is_suite && named.scenario.empty())
+    throw std::invalid_argument("SCENARIO is missing, or a suite instead of VEHICLE");
+  if (is_suite) return {readSuiteWork(named.vehicle, choice, disk).orThrow(), true};
+  Model model = vehicle::readModel(named.vehicle, named.scenario, disk);
+  return {{{}, {std::move(model.vehicle)}, {std::move(model.scenario)}, {{0, 0, choice.run.speed}}, choice}, false};
+}
+
+std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOptions& common) {
+  const auto shown = common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
   const double count = static_cast<double>(work.cases.size());
+  ProgressBar bar(shown, count, "cases");
   std::vector<ValidationReport> reports;
-  {
-    ProgressBar bar(shown, count, "cases");
-    for (const ValidationCase& each : work.cases) {
-      ValidationChoice choice = work.choice;
-      if (!choice.run.speed) choice.run.speed = each.speed;
-      const double before = static_cast<double>(reports.size());
-      reports.push_back(
-          validate(work.vehicles[each.vehicle], work.scenarios[each.scenario], choice,
-                   [&](double share, const std::string& what) { return bar.update((before + share) / count, what); }));
-      if (reports.back().stopped) break;
-    }
+  for (const ValidationCase& each : work.cases) {
+    ValidationChoice choice = work.choice;
+    choice.run.speed = each.speed;
+    const double before = static_cast<double>(reports.size());
+    reports.push_back(
+        validate(work.vehicles[each.vehicle], work.scenarios[each.scenario], choice,
+                 [&](double share, const std::string& what) { return bar.update((before + share) / count, what); }));
+    if (reports.back().stopped) break;
   }
-  const ExitStatus status = exitStatusOf(reports);
-  const bool stopped = reports.back().stopped;
-  // A case that was broken off was not judged.
-  if (stopped) reports.pop_back();
-  if (work.is_suite) print(documentOf(reports), options.common.format, std::cout);
-  if (!work.is_suite && !stopped) {
-    const bool all = options.details || options.common.format != Format::kTable;
-    print(documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary), options.common.format, std::cout);
-  }
+  return reports;
+}
+
+void printReports(const std::vector<ValidationReport>& reports, bool is_suite, const Warnings& warnings,
+                  const Options& options) {
+  const bool all = options.details || options.common.format != Format::kTable;
+  Document document =
+      is_suite ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
+  addWarnings(warnings, options.common, document);
+  // A case that was interrupted has nothing to show but that.
+  if (is_suite || !reports.front().stopped) print(document, options.common.format, std::cout);
+  std::cout.flush();
   for (const ValidationReport& report : reports) {
     for (const std::string& complaint : complaintsOf(report)) std::cerr << "vehicle: " << complaint << '\n';
   }
-  if (stopped)
-    std::cerr << fmt::format("vehicle: interrupted; {} of {} cases are finished\n", reports.size(), work.cases.size());
-  return status;
+}
+
+int validateAll(const Options& options) {
+  const Work work = readWork(options.files, options.choice);
+  Warnings warnings;
+  if (work.is_suite) warnings = unjudgedOf(work.cases);
+  printWarnings(warnings);
+  const std::vector<ValidationReport> reports = runCases(work.cases, options.common);
+  printReports(reports, work.is_suite, warnings, options);
+  const ExitStatus status = exitStatusOf(reports, options.allow_unjudged ? Unjudged::kAccept : Unjudged::kFail);
+  if (reports.back().stopped) {
+    std::cerr << fmt::format("vehicle: interrupted; {} of {} cases are finished\n", reports.size() - 1,
+                             work.cases.cases.size());
+    return status;
+  }
+  // Of a suite the warnings have said it.
+  if (const std::string why = whyNothing(reports.front()); !work.is_suite && !why.empty()) {
+    std::cerr << "vehicle: " << why << '\n';
+  }
+  const bool left_out = std::any_of(reports.begin(), reports.end(),
+                                    [](const ValidationReport& each) { return each.count(Verdict::kNotJudged) > 0; });
+  if (left_out && !options.allow_unjudged) {
+    std::cerr << "vehicle: pairs that are not judged are no pass; repeat it on a quieter machine, give a longer "
+                 "--time-limit, or accept them with --allow-unjudged\n";
+  }
+  return status == kDone ? statusAfter(warnings, options.common) : status;
 }
 
 }  // namespace
@@ -85,10 +133,18 @@ Action addValidate(CLI::App& program) {
                              "no runs shared among threads   (default: the flat form's beside their serial runs)");
   command->add_flag("--details", options->details,
                     "table: every quantity of every run and every pair   (csv and json: always)");
+  options->choice.shared_time_limit = 1.0;
+  addQuantity(*command, "--time-limit", Dimension::kTime,
+              "that each run shared among threads may take, and again for every 10 000 steps;\nthen it is not judged   "
+              "(default: \"1 s\")",
+              [options](double value) { options->choice.shared_time_limit = value; });
+  command->add_flag("--allow-unjudged", options->allow_unjudged,
+                    "pass although pairs were not judged, as long as some were   (default: exit status 4)");
   addCommonOptions(*command, options->common);
   command->footer(
       "Each pair of runs has an expected size of disagreement and a reason for it: rounding, integration error,\n"
-      "or true geometry. A pair outside ends the program with exit status 4 and is named on stderr.\n"
+      "or true geometry. A pair outside ends the program with exit status 4 and is named on stderr; so does\n"
+      "a pair that could not be judged.\n"
       "Example: vehicle validate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml");
   return [options] { return validateAll(*options); };
 }

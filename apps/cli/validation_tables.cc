@@ -11,10 +11,12 @@ namespace {
 
 Cell optional(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
+bool isJudged(const PairAgreement& pair) { return pair.verdict != Verdict::kNotJudged; }
+
 /// The pair of the reference (run 0) and this run, if it was compared.
 const PairAgreement* againstReference(const ValidationReport& report, std::size_t run) {
   for (const PairAgreement& pair : report.pairs) {
-    if (pair.first == 0 && pair.second == run) return &pair;
+    if (pair.first == 0 && pair.second == run && isJudged(pair)) return &pair;
   }
   return nullptr;
 }
@@ -28,7 +30,7 @@ Table runTable(const ValidationReport& report) {
                {"run time", "s"},
                {"difference from exact", "of peak"},
                {"order", ""},
-               {"failure", ""}},
+               {"no result because", ""}},
               {}};
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const ValidationRun& run = report.runs[i];
@@ -40,11 +42,11 @@ Table runTable(const ValidationReport& report) {
     }
     table.rows.push_back({run.key.text(), run.statistics.steps, run.statistics.evaluations, run.statistics.rejected,
                           run.wall_seconds, difference, optional(run.order),
-                          run.failure.empty() ? Cell() : Cell(run.failure)});
+                          run.reason.empty() ? Cell() : Cell(run.reason)});
   }
-  const bool none_failed =
-      std::all_of(report.runs.begin(), report.runs.end(), [](const ValidationRun& run) { return run.failure.empty(); });
-  if (none_failed) {
+  const bool all_have_results =
+      std::all_of(report.runs.begin(), report.runs.end(), [](const ValidationRun& run) { return run.reason.empty(); });
+  if (all_have_results) {
     table.columns.pop_back();
     for (std::vector<Cell>& row : table.rows) row.pop_back();
   }
@@ -75,6 +77,16 @@ Table groupTable(const ValidationReport& report, Shown shown) {
 }
 
 void addPair(Table& table, const ValidationReport& report, const PairAgreement& pair) {
+  if (!isJudged(pair)) {
+    table.rows.push_back({report.runs[pair.first].key.text(),
+                          report.runs[pair.second].key.text(),
+                          {},
+                          {},
+                          std::string(nameOf(pair.verdict)),
+                          {},
+                          pair.why});
+    return;
+  }
   const ColumnAgreement& worst = pair.columns[pair.worst];
   table.rows.push_back({report.runs[pair.first].key.text(), report.runs[pair.second].key.text(), pair.relative,
                         optional(pair.expected), std::string(nameOf(pair.verdict)), worst.column.name, pair.why});
@@ -107,6 +119,7 @@ Table formTable(const ValidationReport& report) {
     ++found.pairs;
     found.inside += pair.verdict == Verdict::kInside ? 1 : 0;
     const auto size = [](const PairAgreement* each) { return each->expected.value_or(HUGE_VAL); };
+    if (!isJudged(pair)) continue;
     if (found.strictest == nullptr || size(&pair) < size(found.strictest)) found.strictest = &pair;
   }
   Table table{"form against form",
@@ -120,6 +133,10 @@ Table formTable(const ValidationReport& report) {
                {"because of", ""}},
               {}};
   for (const Entry& each : entries) {
+    if (each.strictest == nullptr) {
+      table.rows.push_back({each.first, each.second, each.pairs, each.inside, {}, {}, {}, {}});
+      continue;
+    }
     const PairAgreement& pair = *each.strictest;
     const RunKey& a = report.runs[pair.first].key;
     const RunKey& b = report.runs[pair.second].key;
@@ -148,12 +165,28 @@ Table misfitTable(const ValidationReport& report) {
   return table;
 }
 
+/// Pairs by their verdict, of one or several cases.
+struct PairCounts {
+  std::size_t inside = 0, outside = 0, by_design = 0, not_judged = 0;
+
+  void add(const ValidationReport& report) {
+    inside += report.count(Verdict::kInside);
+    outside += report.count(Verdict::kOutside);
+    by_design += report.count(Verdict::kByDesign);
+    not_judged += report.count(Verdict::kNotJudged);
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("{} pairs inside their expected size, {} outside{}{}", inside, outside,
+                       by_design > 0 ? fmt::format(", {} differ by design", by_design) : "",
+                       not_judged > 0 ? fmt::format(", {} not judged", not_judged) : "");
+  }
+};
+
 std::string verdictOf(const ValidationReport& report) {
-  const std::size_t by_design = report.count(Verdict::kByDesign);
-  return fmt::format("{} pairs inside their expected size, {} outside{}{}", report.count(Verdict::kInside),
-                     report.count(Verdict::kOutside),
-                     by_design > 0 ? fmt::format(", {} differ by design", by_design) : "",
-                     report.stopped ? "; ended early" : "");
+  if (report.stopped) return "interrupted";
+  if (report.failed()) return "failed";
+  if (report.count(Verdict::kOutside) > 0) return "OUTSIDE";
+  return report.inside() ? "inside" : "not judged";
 }
 
 }  // namespace
@@ -163,7 +196,8 @@ Document documentOf(const ValidationReport& report, Detail detail) {
   document.facts = {{"vehicle", report.vehicle, ""},
                     {"scenario", report.scenario, ""},
                     {"speed", report.speed, "m/s"},
-                    {"inside", report.inside(), ""}};
+                    {"inside", report.inside(), ""},
+                    {"pairs not judged", static_cast<long>(report.count(Verdict::kNotJudged)), ""}};
   Table pairs{"pairs", kPairColumns, {}};
   for (const PairAgreement& pair : report.pairs) {
     if (detail == Detail::kAll || pair.verdict == Verdict::kOutside) addPair(pairs, report, pair);
@@ -174,7 +208,9 @@ Document documentOf(const ValidationReport& report, Detail detail) {
   document.tables = {runTable(report), groupTable(report, shown), formTable(report), std::move(pairs),
                      misfitTable(report)};
   document.remarks = report.notes;
-  document.remarks.push_back(verdictOf(report));
+  PairCounts counts;
+  counts.add(report);
+  document.remarks.push_back(counts.text());
   return document;
 }
 
@@ -188,14 +224,18 @@ Document documentOf(const std::vector<ValidationReport>& reports) {
                {"inside", ""},
                {"outside", ""},
                {"by design", ""},
+               {"not judged", ""},
                {"rounding", "of limit"},
                {"integration", "of limit"},
-               {"geometry", "of limit"}},
+               {"geometry", "of limit"},
+               {"verdict", ""}},
               {}};
   Table outside{"pairs outside", kPairColumns, {}};
   bool all_inside = true;
+  PairCounts counts;
   for (const ValidationReport& report : reports) {
     all_inside = all_inside && report.inside();
+    counts.add(report);
     Cell used[3];  // the pair nearest to its limit, by the main source of that limit
     for (const PairAgreement& pair : report.pairs) {
       if (pair.verdict == Verdict::kOutside) addPair(outside, report, pair);
@@ -204,13 +244,17 @@ Document documentOf(const std::vector<ValidationReport>& reports) {
       const double share = pair.relative / *pair.expected;
       if (!std::holds_alternative<double>(cell) || std::get<double>(cell) < share) cell = share;
     }
-    cases.rows.push_back({report.vehicle, report.scenario, 3.6 * report.speed, static_cast<long>(report.runs.size()),
-                          static_cast<long>(report.count(Verdict::kInside)),
-                          static_cast<long>(report.count(Verdict::kOutside)),
-                          static_cast<long>(report.count(Verdict::kByDesign)), used[0], used[1], used[2]});
+    cases.rows.push_back(
+        {report.vehicle, report.scenario, 3.6 * report.speed, static_cast<long>(report.runs.size()),
+         static_cast<long>(report.count(Verdict::kInside)), static_cast<long>(report.count(Verdict::kOutside)),
+         static_cast<long>(report.count(Verdict::kByDesign)), static_cast<long>(report.count(Verdict::kNotJudged)),
+         used[0], used[1], used[2], verdictOf(report)});
   }
-  document.facts = {{"cases", static_cast<long>(reports.size()), ""}, {"inside", all_inside, ""}};
+  document.facts = {{"cases", static_cast<long>(reports.size()), ""},
+                    {"inside", all_inside, ""},
+                    {"pairs not judged", static_cast<long>(counts.not_judged), ""}};
   document.tables = {std::move(cases), std::move(outside)};
+  document.remarks.push_back(counts.text());
   return document;
 }
 
@@ -218,7 +262,10 @@ std::vector<std::string> complaintsOf(const ValidationReport& report) {
   std::vector<std::string> complaints;
   const std::string where = fmt::format("{} on {} at {:.4g} m/s", report.vehicle, report.scenario, report.speed);
   for (const ValidationRun& run : report.runs) {
-    if (!run.failure.empty()) complaints.push_back(fmt::format("{}: {}", where, run.failure));
+    if (run.ending == RunEnding::kFailed) complaints.push_back(fmt::format("{}: {}", where, run.reason));
+    if (run.ending == RunEnding::kOutOfTime) {
+      complaints.push_back(fmt::format("{}: {} is not judged: {}", where, run.key.text(), run.reason));
+    }
   }
   for (const PairAgreement& pair : report.pairs) {
     if (pair.verdict != Verdict::kOutside) continue;
@@ -231,16 +278,25 @@ std::vector<std::string> complaintsOf(const ValidationReport& report) {
   return complaints;
 }
 
-ExitStatus exitStatusOf(const std::vector<ValidationReport>& reports) {
-  bool inside = true, failed = false, stopped = false;
-  for (const ValidationReport& report : reports) {
-    inside = inside && (report.inside() || report.stopped);
-    stopped = stopped || report.stopped;
-    for (const ValidationRun& run : report.runs) failed = failed || !run.failure.empty();
-  }
-  if (failed) return kRunFailed;
-  if (!inside) return kCheckDidNotHold;
-  return stopped ? kInterrupted : kDone;
+std::string whyNothing(const ValidationReport& report) {
+  const bool all_finished = std::all_of(report.runs.begin(), report.runs.end(),
+                                        [](const ValidationRun& run) { return run.ending == RunEnding::kFinished; });
+  if (!all_finished || report.count(Verdict::kInside) + report.count(Verdict::kOutside) > 0) return {};
+  std::string why;
+  for (const Misfit& misfit : report.misfits)
+    why += "; " + (misfit.method.empty() ? misfit.form + ": " : "") + misfit.reason;
+  return fmt::format("{} on {} at {:.4g} m/s: nothing is judged: no two runs can be compared{}", report.vehicle,
+                     report.scenario, report.speed, why);
+}
+
+ExitStatus exitStatusOf(const std::vector<ValidationReport>& reports, Unjudged unjudged) {
+  const auto any = [&](const auto& is) { return std::any_of(reports.begin(), reports.end(), is); };
+  if (any([](const ValidationReport& each) { return each.failed(); })) return kRunFailed;
+  if (any([](const ValidationReport& each) { return each.count(Verdict::kOutside) > 0; })) return kCheckDidNotHold;
+  if (any([](const ValidationReport& each) { return each.stopped; })) return kInterrupted;
+  if (!any([](const ValidationReport& each) { return each.count(Verdict::kInside) > 0; })) return kCheckDidNotHold;
+  if (unjudged == Unjudged::kAccept) return kDone;
+  return any([](const ValidationReport& each) { return !each.inside(); }) ? kCheckDidNotHold : kDone;
 }
 
 }  // namespace vehicle::cli

@@ -21,10 +21,20 @@ enum class Detail {
 /// A suite: one line a case, and the pairs outside in full.
 [[nodiscard]] Document documentOf(const std::vector<ValidationReport>& reports);
 
-/// "flat rk4 against mbs dopri5: ... " for every pair outside and every run that failed, one line each.
+/// "flat rk4 against mbs dopri5: ... " for every pair outside and every run without a result, one line each.
 [[nodiscard]] std::vector<std::string> complaintsOf(const ValidationReport& report);
 
-/// A failed run comes before a pair outside, that before an early end.
-[[nodiscard]] ExitStatus exitStatusOf(const std::vector<ValidationReport>& reports);
+/// Why a finished case judges nothing, in one line; empty where something is judged.
+[[nodiscard]] std::string whyNothing(const ValidationReport& report);
+
+/// What becomes of pairs that could not be judged.
+enum class Unjudged {
+  kFail,    // they are no pass
+  kAccept,  // the judged ones decide
+};
+
+/// A failed run comes before a pair outside, that before an early end, that before pairs that were not judged. Where
+/// nothing was judged at all no check did hold, accepted or not.
+[[nodiscard]] ExitStatus exitStatusOf(const std::vector<ValidationReport>& reports, Unjudged unjudged);
 
 }  // namespace vehicle::cli

@@ -34,16 +34,9 @@ class Binder {
     }
   }
 
-  Outcome<BoundStudy> run(const std::vector<std::string>& listed) {
+  Outcome<BoundStudy> run(const ListedColumns& listed) {
     for (const Vary& vary : study_.varies) bindVary(vary);
-    for (const std::string& address : listed) {
-      Judge judge(problems_, "<study><plan>", "", study_.plan ? study_.plan->origin : study_.origin);
-      if (address == "speed" && std::any_of(study_.varies.begin(), study_.varies.end(), givesSpeeds)) {
-        judge.say("lists \"speed\", and a <vary> gives speeds that every design runs at", "remove one of them");
-        continue;
-      }
-      static_cast<void>(indexOf(address, judge));
-    }
+    for (const Channel& column : listed.columns) bindColumn(column, listed.place);
     bindDesigns();
     bindCases();
     checkSettle();
@@ -114,6 +107,19 @@ class Binder {
       if (each.starts_with(part)) list += (list.empty() ? "; it has " : ", ") + each;
     }
     return list.empty() ? ", e.g. " + addresses_.front() + ", or speed, or scenario.NAME.ATTRIBUTE" : list;
+  }
+
+  void bindColumn(const Channel& column, const Place& header) {
+    if (column.name == "speed" && std::any_of(study_.varies.begin(), study_.varies.end(), givesSpeeds)) {
+      Judge(problems_, "<study><plan>", "", study_.plan ? study_.plan->origin : study_.origin)
+          .say("lists \"speed\", and a <vary> gives speeds that every design runs at", "remove one of them");
+      return;
+    }
+    Judge judge(problems_, "", "", header);
+    const std::optional<std::size_t> index = indexOf(column.name, judge);
+    if (!index) return;
+    const ParsedQuantity one = parseQuantity("1 " + column.unit, bound_.parameters[*index].dimension);
+    if (!one.si) judge.say("column \"" + column.name + "\": the unit [" + column.unit + "] " + one.message, one.remedy);
   }
 
   void bindVary(const Vary& vary) {
@@ -302,7 +308,7 @@ class Binder {
 }  // namespace
 
 Outcome<BoundStudy> bindStudy(const Study& study, const Vehicle& vehicle, const std::vector<Scenario>& scenarios,
-                              const std::vector<std::string>& listed) {
+                              const ListedColumns& listed) {
   return Binder(study, vehicle, scenarios).run(listed);
 }
 

@@ -9,6 +9,7 @@
 
 #include "libvehicle/definition/parameter.h"
 #include "libvehicle/definition/study.h"
+#include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/units/channel.h"
 
 namespace vehicle {
@@ -76,13 +77,18 @@ struct BoundStudy {
   std::vector<BoundLimit> limits;
 };
 
-/// Looks everything up and judges it: unknown names (the nearest one is told), wrong dimensions, values the vehicle
+/// The header of a CSV list of designs: addresses of parameters, and the unit of the numbers below each.
+struct ListedColumns {
+  std::vector<Channel> columns;
+  Place place;  // of the header, where problems of the columns are reported
+};
+
+/// Looks everything up and judges it: unknown names (the nearest one is named), wrong dimensions, values the vehicle
 /// cannot take, columns it does not have. Names of modes only a run can confirm.
 /// @param study, vehicle, scenarios  in order by their own check(); scenarios in the study's order
-/// @param listed  addresses that a CSV list of designs brings
+/// @param listed  what a list of designs brings
 [[nodiscard]] Outcome<BoundStudy> bindStudy(const Study& study, const Vehicle& vehicle,
-                                            const std::vector<Scenario>& scenarios,
-                                            const std::vector<std::string>& listed = {});
+                                            const std::vector<Scenario>& scenarios, const ListedColumns& listed = {});
 
 /// Value of a factor at the place u, 0 <= u <= 1, of its range or list: [SI] or a multiple.
 [[nodiscard]] double valueAt(const Factor& factor, double u);

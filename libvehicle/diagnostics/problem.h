@@ -80,7 +80,7 @@ struct Outcome {
 };
 
 /// The candidate nearest to `word` by edit distance, if any is near enough to be what was meant
-/// (at most a third of the word's length, at least 1 edit allowed).
+/// (at most a third of the word's length, at least 1 edit allowed; two neighbouring letters exchanged are one edit).
 [[nodiscard]] std::optional<std::string> nearestName(const std::string& word,
                                                      const std::vector<std::string>& candidates);
 

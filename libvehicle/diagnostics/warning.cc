@@ -55,6 +55,9 @@ constexpr std::array kKinds = {
     WarningKind{WarningCode::kNoIndex, "NO_INDEX",
                 "A sensitivity index cannot be given: the output does not vary, or designs without a value break the "
                 "plan."},
+    WarningKind{WarningCode::kNothingJudged, "NOTHING_JUDGED",
+                "None of the forms and methods that a suite names makes two runs of a vehicle that could be compared: "
+                "validate judges nothing of it, which is not a pass."},
 };
 
 }  // namespace

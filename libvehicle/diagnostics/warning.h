@@ -31,6 +31,7 @@ enum class WarningCode {
   kUnknownMode,      // a metric names a mode that the vehicle does not have
   kSampleSize,       // a Saltelli plan whose size is no power of two
   kNoIndex,          // a sensitivity index that cannot be given
+  kNothingJudged,    // a suite or vehicle of which validate can compare nothing
 };
 
 struct WarningKind {

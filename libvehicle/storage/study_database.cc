@@ -43,20 +43,6 @@ void requireDistinct(const StudyRecord& record) {
   }
 }
 
-void requireRoom(SqliteConnection& connection, const StudyRecord& record) {
-  const std::size_t values = record.parameters.size() + record.metrics.size();
-  const auto most = static_cast<std::size_t>(mostValues(connection));
-  if (values <= most) return;
-  ProblemList problems;
-  const std::string file = record.inputs.empty() ? "" : record.inputs.front().name;
-  problems.add({file, 0}, "",
-               fmt::format("the study makes {} columns ({} parameters, {} metrics over all speeds and scenarios), at "
-                           "most {} fit in a row",
-                           values, record.parameters.size(), record.metrics.size(), most),
-               "ask for fewer metrics or speeds, or make two studies");
-  throw InvalidInput(std::move(problems));
-}
-
 /// name -> "file:name?immutable=1", with what a URI cannot hold escaped.
 std::string immutableUri(const fs::path& path) {
   std::string uri = "file:";
@@ -127,7 +113,6 @@ void writeNewFile(const fs::path& path, const StudyRecord& record) {
   fs::remove(temporary, ignored);
   try {
     SqliteConnection connection(temporary.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    requireRoom(connection, record);
     // Nobody knows the file before it has its name: no journal is needed to undo anything.
     connection.run(
         fmt::format("PRAGMA page_size={}; PRAGMA journal_mode=OFF; PRAGMA synchronous=FULL; BEGIN;", kPageBytes));
@@ -188,6 +173,7 @@ StudyDatabase StudyDatabase::forWriting(const fs::path& path, std::unique_ptr<Fi
 
 StudyDatabase StudyDatabase::create(const fs::path& path, const StudyRecord& record) {
   requireDistinct(record);
+  requireRoom(record);
   auto lock = std::make_unique<FileLock>(path);
   std::error_code ignored;
   if (fs::symlink_status(path, ignored).type() != fs::file_type::not_found) {

@@ -2,10 +2,26 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "libvehicle/diagnostics/problem.h"
+
 namespace vehicle {
+
+void requireRoom(const StudyRecord& record) {
+  const std::size_t values = record.parameters.size() + record.metrics.size();
+  if (values <= kMostStudyValues) return;
+  ProblemList problems;
+  const std::string file = record.inputs.empty() ? "" : record.inputs.front().name;
+  problems.add({file, 0}, "",
+               fmt::format("the study makes {} columns ({} parameters, {} metrics over all speeds and scenarios), at "
+                           "most {} fit in a row",
+                           values, record.parameters.size(), record.metrics.size(), kMostStudyValues),
+               "ask for fewer metrics or speeds, or make two studies");
+  throw InvalidInput(std::move(problems));
+}
 
 void DesignBatch::addRow(std::uint64_t id, DesignStatus status, std::span<const double> parameters) {
   if (parameters.size() != parameters_) {

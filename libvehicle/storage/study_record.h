@@ -23,6 +23,11 @@ struct StudyRecord {
   bool operator==(const StudyRecord&) const = default;
 };
 
+/// Most parameters and metrics of a study together: SQLite's 2000 columns less id, status and message.
+inline constexpr std::size_t kMostStudyValues = 1997;
+/// @throws InvalidInput  unless a row of the database holds all of them
+void requireRoom(const StudyRecord& record);
+
 enum class DesignStatus {
   kDone,
   kFailed

@@ -9,8 +9,6 @@ namespace vehicle {
 
 namespace {
 
-constexpr int kFixedColumns = 3;  // id, status, message
-
 std::string quoted(const std::string& name) {
   std::string text = "\"";
   for (const char c : name) {
@@ -44,10 +42,6 @@ std::int64_t pragma(SqliteConnection& connection, const std::string& name) {
 }
 
 }  // namespace
-
-int mostValues(SqliteConnection& connection) {
-  return sqlite3_limit(connection.get(), SQLITE_LIMIT_COLUMN, -1) - kFixedColumns;
-}
 
 void writeStudyTables(SqliteConnection& connection, const StudyRecord& record) {
   connection.run(fmt::format("PRAGMA application_id={}; PRAGMA user_version={};", kStudyApplication, kStudyFormat));

@@ -25,7 +25,4 @@ void writeStudyTables(SqliteConnection& connection, const StudyRecord& record);
 /// @throws SqliteError
 [[nodiscard]] StudyRecord readStudyTables(SqliteConnection& connection);
 
-/// Most parameters and metrics that one row of designs can hold beside id, status and message.
-[[nodiscard]] int mostValues(SqliteConnection& connection);
-
 }  // namespace vehicle

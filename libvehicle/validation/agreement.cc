@@ -85,6 +85,8 @@ const char* nameOf(Verdict verdict) {
       return "OUTSIDE";
     case Verdict::kByDesign:
       return "differs by design";
+    case Verdict::kNotJudged:
+      return "not judged";
   }
   return "";
 }

@@ -23,9 +23,10 @@ enum class QuantityGroup {
 [[nodiscard]] QuantityGroup groupOf(const Channel& column);
 
 enum class Verdict {
-  kInside,    // no column differs by more than the ledger explains
-  kOutside,   // one does
-  kByDesign,  // a printed variant: other equations, nothing is expected of it
+  kInside,     // no column differs by more than the ledger explains
+  kOutside,    // one does
+  kByDesign,   // a printed variant: other equations, nothing is expected of it
+  kNotJudged,  // one of the runs has no result; such a pair has no columns and groups
 };
 [[nodiscard]] const char* nameOf(Verdict verdict);
 

@@ -69,7 +69,7 @@ VectorXd staticTerms(const CaseSize& the_case) {
   return rate;
 }
 
-VectorXd roundingOf(const CaseSize& the_case, const RunKey& run) {
+VectorXd roundingOf(const CaseSize& the_case, const RunKey& run, long steps) {
   const Sensitivity& sensitivity = the_case.sensitivity;
   const MotionSize& motion = the_case.motion;
   const Index wheels2 = sensitivity.matrices.B.cols();
@@ -83,7 +83,7 @@ VectorXd roundingOf(const CaseSize& the_case, const RunKey& run) {
     rate.head(half).setConstant(factor * motion.state.head(half).maxCoeff());
     rate.tail(half).setConstant(factor * motion.state.tail(half).maxCoeff());
   } else {
-    const double h = run.steps > 0 ? the_case.duration / static_cast<double>(run.steps) : run.step;
+    const double h = steps > 0 ? the_case.duration / static_cast<double>(steps) : run.step;
     rate = 2.0 * kUlp / h * motion.state;
   }
   VectorXd terms =
@@ -126,7 +126,7 @@ VectorXd stepTolerance(const CaseSize& the_case, const RunKey& run) {
   return tolerance;
 }
 
-VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, const VectorXd& step_difference) {
+VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, long steps, const VectorXd& step_difference) {
   const Sensitivity& sensitivity = the_case.sensitivity;
   if (isExact(run.method)) return VectorXd::Zero(sensitivity.C.rows());
   if (isRk4(run.method)) {
@@ -135,7 +135,7 @@ VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, const Vector
     return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : 1.0 / 15.0) * step_difference;
   }
   const VectorXd tolerance = stepTolerance(the_case, run);
-  const double steps_per_second = static_cast<double>(run.steps) / the_case.duration;
+  const double steps_per_second = static_cast<double>(steps) / the_case.duration;
   const VectorXd worst = steps_per_second * (sensitivity.L * tolerance) + sensitivity.C.cwiseAbs() * tolerance;
   return (run.method == "dopri5" ? kDopri5Share : kSimbodyShare) * worst;
 }
@@ -216,20 +216,27 @@ const char* nameOf(Source source) {
 }
 
 std::string RunKey::text() const {
-  return fmt::format("{} {}{}{}", form, method, scheme.empty() ? "" : fmt::format(" {} x{}", scheme, threads),
-                     refine == 1 ? "" : " h/2");
+  std::string text = fmt::format("{} {}", form, method);
+  if (!scheme.empty()) text += fmt::format(" {} x{}", scheme, threads);
+  if (map != "auto") text += " map " + map;
+  return refine == 1 ? text : text + " h/2";
 }
 
 bool haveEqualBits(const RunKey& a, const RunKey& b) {
-  return (!a.scheme.empty() || !b.scheme.empty()) && a.form == b.form && a.method == b.method && a.step == b.step &&
-         a.refine == b.refine;
+  const auto serial = [](RunKey key) {
+    key.scheme.clear();
+    key.threads = 1;
+    key.map = "auto";
+    return key;
+  };
+  return (!a.scheme.empty() || !b.scheme.empty()) && serial(a) == serial(b);
 }
 
-RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, const VectorXd& step_difference) {
+RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, long steps, const VectorXd& step_difference) {
   RunSize size;
-  size.rounding = roundingOf(the_case, run);
+  size.rounding = roundingOf(the_case, run, steps);
   size.input_rounding = columnsOf(the_case, the_case.sensitivity.matrices.B.cwiseAbs() * the_case.input_rounding);
-  size.integration = integrationOf(the_case, run, step_difference);
+  size.integration = integrationOf(the_case, run, steps, step_difference);
   size.geometry = hasTrueGeometry(run.form) ? geometryOf(the_case) : VectorXd::Zero(size.rounding.size());
   return size;
 }

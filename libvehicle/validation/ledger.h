@@ -19,19 +19,21 @@ enum class Source {
 };
 [[nodiscard]] const char* nameOf(Source source);
 
-/// One run of a case: its names and what its error depends on.
+/// One run of a case: everything that decides its result. Two runs with equal keys are one.
 struct RunKey {
-  std::string form;
-  std::string method;
-  int refine = 1;         // rk4: 1 at the step, 2 at half the step
-  double step = 1e-3;     // [s] rk4
-  double relative = 0.0;  // dopri5
-  double absolute = 0.0;  // dopri5
-  double accuracy = 0.0;  // simbody_rkm
-  long steps = 0;         // taken
-  std::string scheme;     // of a run shared among threads; empty: serial
-  int threads = 1;
-  /// "flat rk4", "mbs simbody_rkm", "matrix rk4 h/2", "flat rk4 stages x4"
+  std::string form = {};
+  std::string method = {};
+  int refine = 1;            // rk4: 1 at the step, 2 at half the step
+  double step = 1e-3;        // [s] rk4
+  double relative = 0.0;     // dopri5
+  double absolute = 0.0;     // dopri5
+  double accuracy = 0.0;     // simbody_rkm
+  std::string scheme = {};   // of a run shared among threads; empty: serial
+  int threads = 1;           // that share it
+  std::string map = "auto";  // who of them computes which equation
+  bool operator==(const RunKey&) const = default;
+  /// For people: "flat rk4", "mbs simbody_rkm", "matrix rk4 h/2", "flat rk4 stages x4 map paper". Steps and tolerances
+  /// are left out, so that two keys may have the same text.
   [[nodiscard]] std::string text() const;
 };
 
@@ -47,9 +49,11 @@ struct RunSize {
   Eigen::VectorXd geometry;  // zero unless the form has the true geometry
 };
 
+/// @param steps            that the run took
 /// @param step_difference  (outputs) rk4: max |y(h) - y(h/2)| of this form, from which Richardson's extrapolation
-///                         tells the error; others: not read
-[[nodiscard]] RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, const Eigen::VectorXd& step_difference);
+///                         estimates the error; others: not read
+[[nodiscard]] RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, long steps,
+                                const Eigen::VectorXd& step_difference);
 
 /// What to expect of a pair.
 struct Expectation {

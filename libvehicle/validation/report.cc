@@ -16,10 +16,14 @@ const std::vector<SharedColumn>& usualSharedColumns() {
 }
 
 bool ValidationReport::inside() const {
-  for (const ValidationRun& run : runs) {
-    if (!run.failure.empty()) return false;
-  }
-  return count(Verdict::kInside) > 0 && count(Verdict::kOutside) == 0;
+  const bool finished = std::all_of(runs.begin(), runs.end(),
+                                    [](const ValidationRun& run) { return run.ending == RunEnding::kFinished; });
+  return finished && count(Verdict::kInside) > 0 && count(Verdict::kOutside) == 0 && count(Verdict::kNotJudged) == 0;
+}
+
+bool ValidationReport::failed() const {
+  return std::any_of(runs.begin(), runs.end(),
+                     [](const ValidationRun& run) { return run.ending == RunEnding::kFailed; });
 }
 
 std::size_t ValidationReport::count(Verdict verdict) const {

@@ -18,12 +18,6 @@
 namespace vehicle {
 namespace {
 
-// Largest memory that the histories of one case may take together.
-constexpr double kMostBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
-
-/// Forms that solve the same equations share the ledger's sizes: all consistent ones, and each printed variant.
-std::string equationsOf(const std::string& form) { return isPrintedVariant(form) ? form : "matrix"; }
-
 // With fewer samples than this, a column's error may happen to pass through zero at all of them.
 constexpr std::size_t kFewSamples = 50;
 
@@ -51,15 +45,7 @@ class Case {
 
   ValidationReport validate() {
     plan();
-    requireMemory();
-    for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped;) {
-      if (run(i)) {
-        ++i;
-      } else {
-        report_.runs.erase(report_.runs.begin() + static_cast<std::ptrdiff_t>(i));
-        histories_.pop_back();
-      }
-    }
+    for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped; ++i) run(i);
     if (!report_.stopped) judge();
     return std::move(report_);
   }
@@ -72,7 +58,7 @@ class Case {
     std::optional<double> rk4_step;  // [s]
   };
 
-  /// What simulate() would refuse, told before anything is built of it.
+  /// What simulate() would refuse, reported before anything is built of it.
   void requireRunnable() const {
     requireRight(vehicle_, scenario_);
     const double step = choice_.run.step.value_or(kDefaultStep);
@@ -82,51 +68,20 @@ class Case {
 
   void plan() {
     requireRunnable();
-    add("matrix", "exact", 1, largestStep());
-    std::vector<std::string> forms = choice_.forms;
-    if (forms.empty()) {
-      for (const std::string& form : formNames()) {
-        if (!isPrintedVariant(form)) forms.push_back(form);
-      }
+    ValidationPlan plan = validationPlanOf(vehicle_, scenario_, choice_);
+    if (const std::string misfit = memoryMisfit(plan, vehicle_, scenario_, report_.speed); !misfit.empty()) {
+      throw std::invalid_argument(misfit);
     }
-    // A method that asks for a symmetric vehicle is run on the form where it can be, and else only said not to fit if
-    // somebody named it.
-    const bool all = choice_.methods.empty();
-    const std::vector<std::string>& methods = all ? methodNames() : choice_.methods;
-    for (const std::string& form : forms) {
-      if (const ProblemList misfits = formMisfits(form, vehicle_); !misfits.empty()) {
-        report_.misfits.push_back({form, "", misfits[0].message});
-        continue;
-      }
-      bool runs = false;
-      for (const std::string& method : methods) {
-        if (const std::string misfit = methodMisfit(method, form, vehicle_, scenario_.gravity); !misfit.empty()) {
-          if (!all || !isSplitMethod(method)) report_.misfits.push_back({form, method, misfit});
-        } else {
-          planMethod(form, method);
-          runs = true;
-        }
-      }
-      if (!runs) {
-        const std::string method = defaultMethod(form, vehicle_);
-        report_.notes.push_back(
-            fmt::format("{}: none of the methods asked for can run it; it runs by {}", form, method));
-        planMethod(form, method);
-      }
+    report_.misfits = std::move(plan.misfits);
+    report_.notes = std::move(plan.notes);
+    for (RunKey& key : plan.runs) {
+      if (isRk4(key.method)) key.step = stepOf(key.form);
+      report_.runs.emplace_back().key = std::move(key);
     }
+    histories_.resize(report_.runs.size());
   }
 
   [[nodiscard]] double largestStep() const { return choice_.run.step.value_or(kDefaultStep); }
-
-  void planMethod(const std::string& form, const std::string& method) {
-    const double step = isRk4(method) ? stepOf(form) : largestStep();
-    add(form, method, 1, step);
-    if (isRk4(method)) add(form, method, 2, step);
-    if (form != "flat") return;
-    for (const SharedColumn& column : choice_.shared) {
-      if (column.method == method) add(form, method, 1, step, &column);
-    }
-  }
 
   /// The step asked for, or the one that resolves the fastest mode if that is smaller.
   double stepOf(const std::string& form) {
@@ -143,31 +98,6 @@ class Case {
     return *own.rk4_step;
   }
 
-  void add(const std::string& form, const std::string& method, int refine, double step,
-           const SharedColumn* shared = nullptr) {
-    ValidationRun run;
-    run.key = {form, method, refine, step, choice_.run.relative, choice_.run.absolute, choice_.run.accuracy, 0, {}, 1};
-    if (shared != nullptr) {
-      run.key.scheme = shared->scheme;
-      run.key.threads = isSplitMethod(method) ? shared->threads : std::min(shared->threads, equationsOfFlat());
-      run.map = shared->map == "paper" && equationsOfFlat() != 4 ? "auto" : shared->map;
-    }
-    const std::string text = run.key.text();
-    for (const ValidationRun& known : report_.runs) {
-      if (known.key.text() == text) return;
-    }
-    report_.runs.push_back(std::move(run));
-  }
-
-  int equationsOfFlat() {
-    if (!flat_equations_) {
-      const std::unique_ptr<System> flat = buildForm("flat", vehicle_, scenario_.gravity);
-      const EquationSet* cut = flat->equations();
-      flat_equations_ = cut != nullptr ? static_cast<int>(cut->equations().size()) : 1;
-    }
-    return *flat_equations_;
-  }
-
   /// Of the run [s]; a rig has no speed and gives its duration. Only asked where the scenario is right.
   [[nodiscard]] double duration() const {
     return scenario_.run.distance ? *scenario_.run.distance / report_.speed : *scenario_.run.duration;
@@ -182,8 +112,7 @@ class Case {
     return equations_.back();
   }
 
-  /// @return false if the run is to be left out
-  bool run(std::size_t index) {
+  void run(std::size_t index) {
     ValidationRun& run = report_.runs[index];
     RunChoice choice = choice_.run;
     choice.measures = false;
@@ -193,17 +122,16 @@ class Case {
     choice.step = run.key.step;
     choice.threads = run.key.threads;
     choice.scheme = run.key.scheme.empty() ? nameOf(Scheme::kSerial) : run.key.scheme;
-    choice.map = run.map;
-    histories_.emplace_back();
+    choice.map = run.key.map;
     const double runs = static_cast<double>(report_.runs.size());
     const auto report_progress = [&](double share) {
       return !progress_ || progress_((static_cast<double>(index) + share) / runs, run.key.text());
     };
     if (!report_progress(0.0)) {
       report_.stopped = true;
-      return true;
+      return;
     }
-    const double most = run.key.scheme.empty() ? HUGE_VAL : patienceFor(run.key);
+    const double most = run.key.scheme.empty() ? HUGE_VAL : timeLimitOf(run.key);
     const auto begin = std::chrono::steady_clock::now();
     bool too_long = false;
     try {
@@ -211,44 +139,34 @@ class Case {
         too_long = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > most;
         return !too_long && report_progress(share);
       });
-      if (too_long) {
-        report_.notes.push_back(
-            fmt::format("{} is left out: not done after {:.3g} s, because the machine is busy", run.key.text(), most));
-        return false;
-      }
       run.statistics = result.statistics;
-      run.key.steps = result.statistics.steps;
-      // Told is what ran, whatever was asked for.
+      run.wall_seconds = result.wall_seconds;
+      if (too_long) {
+        run.ending = RunEnding::kOutOfTime;
+        run.reason = fmt::format("not done after {:.3g} s, its time limit", most);
+        return;
+      }
+      // Reported is what ran, whatever was asked for.
       run.key.scheme = result.scheme == nameOf(Scheme::kSerial) ? "" : result.scheme;
       run.key.threads = result.threads;
-      run.wall_seconds = result.wall_seconds;
       report_.stopped = result.statistics.stopped;
-      histories_.back() = std::move(result.history);
+      if (report_.stopped) return;
+      run.ending = RunEnding::kFinished;
+      histories_[index] = std::move(result.history);
     } catch (const RunFailed& failure) {
-      run.failure = failure.what();
+      run.ending = RunEnding::kFailed;
+      run.reason = failure.what();
     }
-    return true;
   }
 
-  [[nodiscard]] double patienceFor(const RunKey& shared) const {
+  [[nodiscard]] double timeLimitOf(const RunKey& shared) const {
+    if (!choice_.shared_time_limit) return HUGE_VAL;
     const auto serial = find(shared.form, shared.method, shared.refine);
-    const double steps = serial ? static_cast<double>(report_.runs[*serial].key.steps) : 0.0;
-    return choice_.patience * (1.0 + steps / 10'000.0);
+    const double steps = serial ? static_cast<double>(report_.runs[*serial].statistics.steps) : 0.0;
+    return *choice_.shared_time_limit * (1.0 + steps / 10'000.0);
   }
 
-  void requireMemory() {
-    const double samples = duration() / scenario_.run.output_step + 1.0;
-    const double columns = static_cast<double>(equations("matrix").system->outputs().size() + 1);
-    const double all = 8.0 * samples * columns * static_cast<double>(report_.runs.size());
-    if (all > kMostBytes) {
-      throw std::invalid_argument(fmt::format(
-          "{} runs of {:.0f} samples need {:.1f} GiB, allowed are {:.0f}; take a longer output_step, a shorter "
-          "duration or fewer forms and methods",
-          report_.runs.size(), samples, all / 1073741824.0, kMostBytes / 1073741824.0));
-    }
-  }
-
-  [[nodiscard]] bool finished(std::size_t i) const { return report_.runs[i].failure.empty(); }
+  [[nodiscard]] bool finished(std::size_t i) const { return report_.runs[i].ending == RunEnding::kFinished; }
 
   [[nodiscard]] std::optional<std::size_t> find(const std::string& form, const std::string& method, int refine) const {
     for (std::size_t i = 0; i < report_.runs.size(); ++i) {
@@ -312,26 +230,33 @@ class Case {
         const auto other = find(key.form, key.method, 3 - key.refine);
         step_difference = largestDifference(histories_[i], histories_[other.value_or(i)]);
       }
-      sizes[i] = sizeOfRun(sizeFor(i), key, step_difference);
+      const long steps = report_.runs[i].statistics.steps;
+      sizes[i] = sizeOfRun(sizeFor(i), key, steps, step_difference);
       if (isRk4(key.method) && histories_[i].samples() < kFewSamples) {
-        sizes[i] = sizeOfRun(sizeFor(i), key, liftedFromZeros(step_difference, sizeFor(i), sizes[i].rounding));
+        sizes[i] = sizeOfRun(sizeFor(i), key, steps, liftedFromZeros(step_difference, sizeFor(i), sizes[i].rounding));
       }
     }
-    for (std::size_t i = 0; i < report_.runs.size(); ++i) {
-      for (std::size_t j = i + 1; j < report_.runs.size(); ++j) {
-        if (finished(i) && finished(j) && comparable(i, j)) compare(i, j, sizes);
+    std::vector<RunKey> keys;
+    for (const ValidationRun& each : report_.runs) keys.push_back(each.key);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      for (std::size_t j = i + 1; j < keys.size(); ++j) {
+        if (!areCompared(keys, i, j)) continue;
+        if (finished(i) && finished(j)) {
+          compare(i, j, sizes);
+        } else {
+          leaveUnjudged(i, j);
+        }
       }
     }
   }
 
-  /// A run at half the step is there to show the order, which only the exact solution of its equations can.
-  [[nodiscard]] bool comparable(std::size_t i, std::size_t j) const {
-    const RunKey& a = report_.runs[i].key;
-    const RunKey& b = report_.runs[j].key;
-    if (a.refine != 1) return false;
-    if (b.refine == 1) return true;
-    return a.method == "exact" && a.scheme.empty() && isLinearForm(b.form) &&
-           equationsOf(a.form) == equationsOf(b.form) && (i == 0 || isPrintedVariant(a.form));
+  void leaveUnjudged(std::size_t i, std::size_t j) {
+    const ValidationRun& missing = report_.runs[finished(i) ? j : i];
+    PairAgreement& pair = report_.pairs.emplace_back();
+    pair.first = i;
+    pair.second = j;
+    pair.verdict = Verdict::kNotJudged;
+    pair.why = fmt::format("{}: {}", missing.key.text(), missing.reason);
   }
 
   void compare(std::size_t i, std::size_t j, const std::vector<RunSize>& sizes) {
@@ -374,7 +299,6 @@ class Case {
   ValidationReport report_;
   std::vector<TimeHistory> histories_;  // shape (runs)
   std::vector<Equations> equations_;
-  std::optional<int> flat_equations_;  // into which the flat form can be cut
 };
 
 }  // namespace

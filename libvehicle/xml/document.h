@@ -17,9 +17,6 @@ struct Document {
   ProblemList problems;
 };
 
-/// The bytes of a regular file. Devices, pipes and folders are refused: reading them may never end.
-[[nodiscard]] Outcome<std::string> readText(const std::string& path);
-
 /// Text -> elements: guarded (text_guard.h), well formed, with one root element.
 [[nodiscard]] Document parseDocument(std::string_view text, const std::string& file_name);
 

@@ -184,15 +184,31 @@ TEST(SimulateCommand, CtrlCEndsALongRunAndKeepsWhatIsDone) {
   const TestFolder folder;
   const std::string scenario =
       folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="40000 s" output_step="10 ms")"));
-  const auto interrupt = [](int process) { kill(process, SIGINT); };
   const ProgramRun run = runVehicle({"simulate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs",
                                      "--method", "rk4", "--output", folder.path("run.csv")},
-                                    interrupt, std::chrono::milliseconds(1500));
+                                    showsProgress, [](pid_t process) { kill(process, SIGINT); });
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_TRUE(has(run.err, "vehicle: interrupted at t = ")) << run.err;
   const TimeHistory kept = readCsv(folder.path("run.csv")).orThrow();
   EXPECT_GT(kept.samples(), 10u);
   EXPECT_LT(kept.samples(), 4000000u);
+}
+
+TEST(SimulateCommand, AStiffRunOfDopri5NamesWhatWouldDoBetter) {
+  const TestFolder folder;
+  std::string stiff = smallVehicle();
+  const std::string axle = R"(<wheelset name="wheelset" x="0 m")";
+  stiff.insert(stiff.find(axle) + axle.size(),
+               R"( mass="1.5 t" contact_stiffness="2.4 GN/m" contact_damping="50 MN*s/m")");
+  const std::vector<std::string> run = {"simulate", folder.file("v.xml", stiff),
+                                        folder.file("s.xml", smallScenario(kRun)), "--method", "dopri5"};
+  const ProgramRun told = runVehicle(run);
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(told.err.rfind("note: dopri5 took ", 0), 0u) << told.err;
+  EXPECT_TRUE(told.err.ends_with("take --method exact, which needs no steps\n")) << told.err;
+  std::vector<std::string> exact = run;
+  exact.back() = "exact";
+  EXPECT_EQ(runVehicle(exact).err, "");
 }
 
 TEST(ValidateCommand, ASmallVehicleIsInsideAndEveryPairStandsInTheJson) {
@@ -240,9 +256,8 @@ TEST(ValidateCommand, CtrlCEndsItAndSaysHowFarItCame) {
   const TestFolder folder;
   const std::string scenario =
       folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="3000 s" output_step="10 ms")"));
-  const auto interrupt = [](int process) { kill(process, SIGINT); };
   const ProgramRun run = runVehicle({"validate", folder.file("v.xml", smallVehicle()), scenario, "--form", "mbs"},
-                                    interrupt, std::chrono::milliseconds(1000));
+                                    showsProgress, [](pid_t process) { kill(process, SIGINT); });
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_EQ(run.err, "vehicle: interrupted; 0 of 1 cases are finished\n");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <chrono>
+#include <sys/types.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,14 +14,31 @@ namespace vehicle::test {
 struct ProgramRun {
   int status = -1;  // exit status; 128 + signal if one killed it
   std::string out;
-  std::string err;
+  std::string err;  // without the progress bar
 };
 
 /// Runs build/.../bin/vehicle with these arguments, stdout and stderr apart, no terminal.
-/// @param while_running  called once after `delay`, with the process id
-[[nodiscard]] ProgramRun runVehicle(const std::vector<std::string>& arguments,
-                                    const std::function<void(int)>& while_running = {},
-                                    std::chrono::milliseconds delay = std::chrono::milliseconds(0));
+[[nodiscard]] ProgramRun runVehicle(const std::vector<std::string>& arguments);
+
+/// What can be seen of the program while it runs.
+struct RunningProgram {
+  pid_t process = 0;
+  std::string terminal;  // all that it has written to its stderr so far
+};
+/// Whether something has happened that a test waits for.
+using Event = std::function<bool(const RunningProgram&)>;
+
+/// The progress bar is drawn: the run, study or validation is under way.
+[[nodiscard]] bool showsProgress(const RunningProgram& program);
+/// It has been computing for a while, however long a busy machine took to let it.
+[[nodiscard]] bool hasComputed(const RunningProgram& program);
+/// A file is there, and the program has been computing since: designs of a study, whose database that is.
+[[nodiscard]] Event hasComputedSince(const std::string& file);
+
+/// The same with its stderr on a terminal; once something has happened `then` is called with the process id, unless the
+/// program ended before. Waits for the event and for nothing else, so that any machine will do.
+[[nodiscard]] ProgramRun runVehicle(const std::vector<std::string>& arguments, const Event& until,
+                                    const std::function<void(pid_t)>& then);
 
 /// models/..., as an absolute path.
 [[nodiscard]] std::string model(const std::string& name);

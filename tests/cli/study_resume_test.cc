@@ -1,7 +1,6 @@
 // Studies that end before their end: Ctrl-C, a full disk, a kill; and the tables that any way to the end gives.
 #include <sys/resource.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -59,14 +58,8 @@ TEST(StudyResume, CtrlCKeepsWhatIsDoneAndTheCommandItNamesGivesTheTableOfAnUnint
   const std::string whole = folder.path("whole.sqlite");
   ASSERT_EQ(runVehicle({"study", study, "--output", whole, "--quiet"}).status, 0);
   const std::string database = folder.path("it's.sqlite");
-  ProgramRun run;
-  // On a quick machine the signal may come too late, on a busy one before the program looks for it.
-  for (const int delay : {400, 1500, 200, 100, 50}) {
-    std::filesystem::remove(database);
-    run = runVehicle({"study", study, "--output", database, "--jobs", "1"},
-                     [](int process) { kill(process, SIGINT); }, std::chrono::milliseconds(delay));
-    if (run.status == 130 && !run.err.empty()) break;
-  }
+  const ProgramRun run = runVehicle({"study", study, "--output", database, "--jobs", "1"}, hasComputedSince(database),
+                                    [](pid_t process) { kill(process, SIGINT); });
   ASSERT_EQ(run.status, 130) << run.err;
   EXPECT_EQ(run.err.rfind("vehicle: interrupted; ", 0), 0u) << run.err;
   const std::string command =
@@ -87,8 +80,8 @@ TEST(StudyResume, AKilledStudyGoesOnToTheSameTable) {
   const std::string study = folder.file("study.xml", quickStudy(100'000));
   const std::string whole = folder.path("whole.sqlite"), killed = folder.path("killed.sqlite");
   ASSERT_EQ(runVehicle({"study", study, "--output", whole, "--quiet"}).status, 0);
-  const auto shoot = [](int process) { kill(process, SIGKILL); };
-  static_cast<void>(runVehicle({"study", study, "--output", killed}, shoot, std::chrono::milliseconds(250)));
+  static_cast<void>(runVehicle({"study", study, "--output", killed}, hasComputedSince(killed),
+                               [](pid_t process) { kill(process, SIGKILL); }));
   const ProgramRun rest = runVehicle({"study", study, "--output", killed, "--resume", "--quiet"});
   ASSERT_EQ(rest.status, 0) << rest.err;
   EXPECT_TRUE(exported(folder, killed) == exported(folder, whole));

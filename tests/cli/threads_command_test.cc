@@ -220,9 +220,8 @@ TEST(ProfileCommand, CtrlCEndsARealTimeRunAndTellsWhatWasSeen) {
   const TestFolder folder;
   const std::string scenario =
       folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="600 s" output_step="5 ms")"));
-  const auto interrupt = [](int process) { kill(process, SIGINT); };
   const ProgramRun run = runVehicle({"profile", folder.file("v.xml", smallVehicle()), scenario, "--realtime", "2 ms"},
-                                    interrupt, std::chrono::milliseconds(600));
+                                    showsProgress, [](pid_t process) { kill(process, SIGINT); });
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_TRUE(has(run.err, "of 300000 steps; the figures above end there")) << run.err;
   EXPECT_TRUE(has(run.out, "deadline misses")) << run.out;
@@ -241,9 +240,8 @@ TEST(ProfileCommand, CtrlCEndsALongProfile) {
   const TestFolder folder;
   const std::string scenario =
       folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="20000 s" output_step="50 ms")"));
-  const auto interrupt = [](int process) { kill(process, SIGINT); };
-  const ProgramRun run = runVehicle({"profile", kVehicle, scenario, "--threads", "2", "--scheme", "stages"}, interrupt,
-                                    std::chrono::milliseconds(500));
+  const ProgramRun run = runVehicle({"profile", kVehicle, scenario, "--threads", "2", "--scheme", "stages"},
+                                    showsProgress, [](pid_t process) { kill(process, SIGINT); });
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_EQ(run.err, "vehicle: interrupted; the threads were not watched to the end\n");
 }

@@ -87,8 +87,8 @@ TEST(TrainCommands, ModesAndValidateTakeTrains) {
 }
 
 TEST(TrainCommands, TheFlatFormOfAShippedTrainStandsTheComparisonWithTheOthers) {
-  const ProgramRun run =
-      runVehicle({"validate", model("trains/paper-three.xml"), model("scenarios/paper-20mps.xml"), "--format", "json"});
+  const ProgramRun run = runVehicle({"validate", model("trains/paper-three.xml"), model("scenarios/paper-20mps.xml"),
+                                     "--format", "json", "--time-limit", "10 min"});
   EXPECT_EQ(run.status, 0) << run.out << run.err;
 }
 

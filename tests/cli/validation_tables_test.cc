@@ -18,6 +18,7 @@ ValidationReport reportWith(Verdict verdict) {
   report.runs[0].key.method = "exact";
   report.runs[1].key.form = "mbs";
   report.runs[1].key.method = "rk4";
+  for (ValidationRun& run : report.runs) run.ending = RunEnding::kFinished;
   PairAgreement pair;
   pair.second = 1;
   pair.verdict = verdict;
@@ -31,9 +32,23 @@ ValidationReport reportWith(Verdict verdict) {
   return report;
 }
 
+ExitStatus statusOf(const std::vector<ValidationReport>& reports, Unjudged unjudged = Unjudged::kFail) {
+  return exitStatusOf(reports, unjudged);
+}
+
+/// The second run was given up: its pair is not judged.
+ValidationReport busyReport() {
+  ValidationReport report = reportWith(Verdict::kNotJudged);
+  report.runs[1].ending = RunEnding::kOutOfTime;
+  report.runs[1].reason = "not done after 1 s, its time limit";
+  report.pairs[0].columns.clear();
+  report.pairs[0].why = "mbs rk4: " + report.runs[1].reason;
+  return report;
+}
+
 TEST(ValidationTables, APairOutsideEndsWithFourAndIsNamedWithItsColumn) {
   const ValidationReport report = reportWith(Verdict::kOutside);
-  EXPECT_EQ(exitStatusOf({reportWith(Verdict::kInside), report}), kCheckDidNotHold);
+  EXPECT_EQ(statusOf({reportWith(Verdict::kInside), report}), kCheckDidNotHold);
   ASSERT_EQ(complaintsOf(report).size(), 1u);
   EXPECT_EQ(
       complaintsOf(report)[0],
@@ -42,26 +57,65 @@ TEST(ValidationTables, APairOutsideEndsWithFourAndIsNamedWithItsColumn) {
 }
 
 TEST(ValidationTables, AllInsideEndsWithZeroAndNothingIsSaid) {
-  EXPECT_EQ(exitStatusOf({reportWith(Verdict::kInside)}), kDone);
+  EXPECT_EQ(statusOf({reportWith(Verdict::kInside)}), kDone);
   EXPECT_TRUE(complaintsOf(reportWith(Verdict::kInside)).empty());
 }
 
 TEST(ValidationTables, ARunThatFailedComesBeforeAPairOutside) {
   ValidationReport report = reportWith(Verdict::kOutside);
-  report.runs[1].failure = "mbs with rk4: carbody.z is not finite at t = 1 s";
-  EXPECT_EQ(exitStatusOf({report}), kRunFailed);
+  report.runs[1].ending = RunEnding::kFailed;
+  report.runs[1].reason = "mbs with rk4: carbody.z is not finite at t = 1 s";
+  EXPECT_EQ(statusOf({report}), kRunFailed);
   EXPECT_EQ(complaintsOf(report)[0], "coach on waves at 20 m/s: mbs with rk4: carbody.z is not finite at t = 1 s");
 }
 
 TEST(ValidationTables, NothingThatWasJudgedIsNotAPass) {
-  EXPECT_EQ(exitStatusOf({reportWith(Verdict::kByDesign)}), kCheckDidNotHold);
+  EXPECT_EQ(statusOf({reportWith(Verdict::kByDesign)}), kCheckDidNotHold);
 }
 
 TEST(ValidationTables, AnEarlyEndIsOneHundredAndThirtyUnlessAPairIsOutside) {
   ValidationReport stopped;
   stopped.stopped = true;
-  EXPECT_EQ(exitStatusOf({reportWith(Verdict::kInside), stopped}), kInterrupted);
-  EXPECT_EQ(exitStatusOf({reportWith(Verdict::kOutside), stopped}), kCheckDidNotHold);
+  EXPECT_EQ(statusOf({reportWith(Verdict::kInside), stopped}), kInterrupted);
+  EXPECT_EQ(statusOf({reportWith(Verdict::kOutside), stopped}), kCheckDidNotHold);
+}
+
+TEST(ValidationTables, APairThatWasNotJudgedIsNoPassUnlessItIsAccepted) {
+  ValidationReport mixed = reportWith(Verdict::kInside);
+  mixed.runs.push_back(busyReport().runs[1]);
+  mixed.pairs.push_back(busyReport().pairs[0]);
+  mixed.pairs[1].second = 2;
+  EXPECT_EQ(statusOf({mixed}), kCheckDidNotHold);
+  EXPECT_EQ(statusOf({mixed}, Unjudged::kAccept), kDone);
+  EXPECT_EQ(statusOf({mixed, reportWith(Verdict::kOutside)}, Unjudged::kAccept), kCheckDidNotHold);
+  ASSERT_EQ(complaintsOf(mixed).size(), 1u);
+  EXPECT_EQ(complaintsOf(mixed)[0],
+            "coach on waves at 20 m/s: mbs rk4 is not judged: not done after 1 s, its time limit");
+  EXPECT_EQ(documentOf(mixed, Detail::kAll).remarks.back(),
+            "1 pairs inside their expected size, 0 outside, 1 not judged");
+  EXPECT_EQ(documentOf({mixed, mixed}).remarks.back(), "2 pairs inside their expected size, 0 outside, 2 not judged");
+}
+
+TEST(ValidationTables, AcceptingWhatIsNotJudgedAcceptsNoEmptyVerdict) {
+  EXPECT_EQ(statusOf({busyReport()}), kCheckDidNotHold);
+  EXPECT_EQ(statusOf({busyReport()}, Unjudged::kAccept), kCheckDidNotHold);
+  // Another case that was judged decides for both.
+  EXPECT_EQ(statusOf({busyReport(), reportWith(Verdict::kInside)}), kCheckDidNotHold);
+  EXPECT_EQ(statusOf({busyReport(), reportWith(Verdict::kInside)}, Unjudged::kAccept), kDone);
+}
+
+TEST(ValidationTables, ACaseThatComparesNothingSaysWhy) {
+  EXPECT_EQ(whyNothing(reportWith(Verdict::kInside)), "");
+  EXPECT_EQ(whyNothing(busyReport()), "");  // its runs have said it
+  ValidationReport alone = reportWith(Verdict::kInside);
+  alone.runs.resize(1);
+  alone.pairs.clear();
+  alone.misfits = {{"flat", "", "the vehicle has one bogie"}};
+  EXPECT_EQ(
+      whyNothing(alone),
+      "coach on waves at 20 m/s: nothing is judged: no two runs can be compared; flat: the vehicle has one bogie");
+  EXPECT_EQ(statusOf({alone}), kCheckDidNotHold);
+  EXPECT_EQ(statusOf({alone, reportWith(Verdict::kInside)}), kCheckDidNotHold);
 }
 
 }  // namespace

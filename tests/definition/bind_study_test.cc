@@ -176,10 +176,10 @@ TEST(BindStudy, ASpeedIsListedOrVariedAndNotBoth) {
   made.plan->origin = line(5);
   const Vehicle vehicle = test::paperVehicle();
   const std::vector<Scenario> scenarios = {test::waves("calm", 1e-3)};
-  EXPECT_EQ(bindStudy(made, vehicle, scenarios, {"speed"}).problems.text(),
+  EXPECT_EQ(bindStudy(made, vehicle, scenarios, {{{"speed", "m/s"}}, {}}).problems.text(),
             "s.xml:5: error: <study><plan>: lists \"speed\", and a <vary> gives speeds that every design runs at; "
             "remove one of them\n");
-  EXPECT_TRUE(bindStudy(made, vehicle, scenarios, {"carbody.mass"}).problems.empty());
+  EXPECT_TRUE(bindStudy(made, vehicle, scenarios, {{{"carbody.mass", "t"}}, {}}).problems.empty());
 }
 
 TEST(BindStudy, ScenariosThatDisagreeOnAVariedNumberAreTold) {

@@ -90,5 +90,11 @@ TEST(NearestName, OfEquallyNearOnesIsTheFirst) {
   EXPECT_EQ(nearestName("primary_5", {"primary_1", "primary_2"}), "primary_1");
 }
 
+TEST(NearestName, TwoLettersExchangedAreOneSlip) {
+  EXPECT_EQ(nearestName("falt", {"matrix", "flat", "mbs"}), "flat");
+  EXPECT_EQ(nearestName("axel", {"axle"}), "axle");
+  EXPECT_EQ(nearestName("eaxl", {"axle"}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace vehicle

@@ -17,7 +17,7 @@ class Ranks : public testing::Test {
   int run(int ranks, const std::string& which, const std::string& file, int threads = 1) const {
     const std::string environment =
         "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_vader_single_copy_mechanism=none ";
-    const std::string command = environment + "timeout 60 " VEHICLE_MPIRUN " --oversubscribe --bind-to none -n " +
+    const std::string command = environment + "timeout 600 " VEHICLE_MPIRUN " --oversubscribe --bind-to none -n " +
                                 std::to_string(ranks) + " " VEHICLE_RANK_PROGRAM " " + which + " " +
                                 folder_.path(file) + " " + std::to_string(threads) + " > " + folder_.path("log") +
                                 " 2>&1";

@@ -1,6 +1,9 @@
 #include "libvehicle/partition/choose.h"
 
+#include <sys/resource.h>
+
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -49,6 +52,23 @@ bool isBusy(const Decision& made) {
          made.reason.find("too long to try others") != std::string::npos;
 }
 
+/// Decides until a decision fell during which nobody took the core away: on a busy machine timings say nothing about
+/// the ways. Nothing if there is no such moment.
+template <class Decide>
+std::optional<Decision> decisionInPeace(Decide decide) {
+  const auto lost = [] {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_nivcsw;
+  };
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    const long before = lost();
+    Decision made = decide();
+    if (lost() == before) return made;
+  }
+  return std::nullopt;
+}
+
 /// Long enough that a step of a microsecond is worth a calibration.
 struct LongRun {
   EightStates system;
@@ -87,32 +107,36 @@ TEST(Choose, TakesTheFirstWayWithoutATrialWhereTheRunIsShort) {
 
 TEST(Choose, TakesTheWayThatIsFasterAndSaysByHowMuch) {
   const LongRun run;
-  const Decision made =
-      chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 2e-6), pacedWay(Scheme::kSplit, 2, 1e-6)});
-  if (!isBusy(made)) {
-    EXPECT_EQ(made.scheme, Scheme::kSplit) << made.reason;
-    EXPECT_EQ(made.threads, 2);
-    EXPECT_LT(made.candidates[1].measured, made.candidates[0].measured);
-  }
-  EXPECT_GT(made.calibration, 0.0);
-  EXPECT_GT(made.step, 1.9e-6);
+  const std::optional<Decision> made = decisionInPeace([&] {
+    return chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 2e-6), pacedWay(Scheme::kSplit, 2, 1e-6)});
+  });
+  if (!made || isBusy(*made)) GTEST_SKIP() << "something else is using the machine";
+  EXPECT_EQ(made->scheme, Scheme::kSplit) << made->reason;
+  EXPECT_EQ(made->threads, 2);
+  EXPECT_LT(made->candidates[1].measured, made->candidates[0].measured);
+  EXPECT_GT(made->calibration, 0.0);
+  EXPECT_GT(made->step, 1.9e-6);
 }
 
 TEST(Choose, StaysWithTheFirstWayWhereTheOtherIsSlower) {
   const LongRun run;
-  const Decision made =
-      chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 1e-6), pacedWay(Scheme::kSplit, 2, 1.5e-6)});
-  EXPECT_EQ(made.scheme, Scheme::kSerial) << made.reason;
+  const std::optional<Decision> made = decisionInPeace([&] {
+    return chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, 1e-6), pacedWay(Scheme::kSplit, 2, 1.5e-6)});
+  });
+  if (!made || isBusy(*made)) GTEST_SKIP() << "something else is using the machine";
+  EXPECT_EQ(made->scheme, Scheme::kSerial) << made->reason;
 }
 
 TEST(Choose, StaysWithTheFirstWayWhereTimingsDoNotRepeat) {
   const LongRun run;
-  int calls = 0;
-  const auto erratic = [&calls] { return ++calls % 2 == 0 ? 1e-6 : 4e-6; };
-  const Decision made =
-      chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, erratic), pacedWay(Scheme::kSplit, 2, 0.3e-6)});
-  EXPECT_EQ(made.scheme, Scheme::kSerial) << made.reason;
-  EXPECT_TRUE(isBusy(made)) << made.reason;
+  const std::optional<Decision> made = decisionInPeace([&] {
+    int calls = 0;
+    const auto erratic = [&calls] { return ++calls % 2 == 0 ? 1e-6 : 4e-6; };
+    return chooseWay(run.problem, {pacedWay(Scheme::kSerial, 1, erratic), pacedWay(Scheme::kSplit, 2, 0.3e-6)});
+  });
+  if (!made) GTEST_SKIP() << "something else is using the machine";
+  EXPECT_EQ(made->scheme, Scheme::kSerial) << made->reason;
+  EXPECT_TRUE(isBusy(*made)) << made->reason;
 }
 
 // An exact method of a large system finds its matrices for 20 ms before each trial: two trials would be the whole

@@ -16,6 +16,7 @@
 #include "libvehicle/integrate/rk4.h"
 #include "tests/support/paper_matrices.h"
 #include "tests/support/tolerance.h"
+#include "tests/support/watchdog.h"
 
 namespace vehicle::test {
 namespace {
@@ -130,11 +131,19 @@ TEST(Pipeline, AHelperThatDoesNotComeBackIsNotWaitedFor) {
   const FixedStep step{1e-3, 4};
   const Met expected = serial(input, schedule, step);
   TeamChoice team{.threads = 2};
-  std::atomic<int> claims{0};
-  team.disturb = [&](int thread, long) {
-    if (thread == 1) std::this_thread::sleep_for(std::chrono::milliseconds(claims++ == 0 ? 20 : 1));
-    // Member 0 gives the helper a chance to claim at all.
-    if (thread == 0) std::this_thread::sleep_for(std::chrono::microseconds(20));
+  // Member 0 begins when the helper has claimed a parcel, and the helper comes back when member 0 has passed it: that
+  // looks ahead by less than all slots.
+  const Watchdog watchdog;
+  std::atomic<long> claimed{-1}, reached{-1};
+  team.disturb = [&](int thread, long parcel) {
+    if (thread == 0) {
+      reached = std::max(reached.load(), parcel);
+      while (claimed < 0) std::this_thread::yield();
+      return;
+    }
+    long none = -1;
+    if (!claimed.compare_exchange_strong(none, parcel)) return;
+    while (reached < parcel + InputAhead::kMostSlots) std::this_thread::yield();
   };
   const Met met = pipelined(sweepRows(input), schedule, step, team);
   EXPECT_EQ(met.rows, expected.rows);

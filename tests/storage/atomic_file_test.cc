@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
@@ -169,32 +170,45 @@ TEST(AtomicFile, AFileOrFolderWithoutPermissionIsLeftAlone) {
   EXPECT_EQ(textOf(folder / "old.csv"), "old");
 }
 
-// A child writes version after version over the same name and is killed at a random moment, wherever that falls:
-// composing, writing, flushing, renaming. What stands there must be one whole version.
+// A child writes version after version over the same name and is killed at a random moment after the first ones,
+// wherever that falls: composing, writing, flushing, renaming. What stands there must be one whole version.
 void killWhileWriting(const std::string& name, const std::function<TimeHistory(const std::string&)>& read) {
   const TestFolder scratch;
   const std::string path = scratch.path(name);
   constexpr int kSamples = 20000;
   writeHistory(path, {numberedHistory(0, kSamples), {}, {}});
   std::mt19937 random(7);
-  std::uniform_int_distribution<int> microseconds(0, 30000);
+  // Of the time that the child took for its first versions: where the kill falls in the next one.
+  std::uniform_real_distribution<double> share(0.0, 1.0);
   int versions = 0;
   for (int round = 0; round < 25; ++round) {
+    int ends[2] = {-1, -1};  // the child says here that a version is written
+    ASSERT_EQ(::pipe(ends), 0);
+    const auto begin = std::chrono::steady_clock::now();
     const pid_t child = ::fork();
     if (child == 0) {
-      for (int version = 1;; ++version) writeHistory(path, {numberedHistory(version, kSamples), {}, {}});
+      for (int version = 1;; ++version) {
+        writeHistory(path, {numberedHistory(version, kSamples), {}, {}});
+        if (::write(ends[1], "v", 1) != 1) ::_exit(1);
+      }
     }
-    std::this_thread::sleep_for(std::chrono::microseconds(microseconds(random)));
+    ::close(ends[1]);
+    char said = 0;
+    const int awaited = round % 3;
+    for (int i = 0; i < awaited; ++i) ASSERT_EQ(::read(ends[0], &said, 1), 1);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    std::this_thread::sleep_for(share(random) * took / std::max(1, awaited));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
+    ::close(ends[0]);
     const TimeHistory history = read(path);
     ASSERT_EQ(history.samples(), static_cast<std::size_t>(kSamples)) << "round " << round;
     const double version = history.at(0, 1);
     for (std::size_t i = 0; i < history.samples(); ++i) ASSERT_EQ(history.at(i, 1), version) << "round " << round;
     versions += version > 0.0 ? 1 : 0;
   }
-  // The kills must fall among writes, or this test shows nothing.
-  EXPECT_GT(versions, 0);
+  // Two kills of three fall after a version has been written.
+  EXPECT_GE(versions, 16);
 }
 
 TEST(AtomicFile, AKilledRunLeavesAWholeCsv) {

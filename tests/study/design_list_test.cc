@@ -13,10 +13,11 @@ using test::studyOf;
 using test::valuesOf;
 
 Outcome<DesignPlan> planFrom(const std::string& text, const Study& study) {
-  const auto addresses = listedAddresses(text, "list.csv");
-  if (!addresses.value) return {std::nullopt, addresses.problems};
-  Outcome<BoundStudy> bound = bindStudy(study, test::paperVehicle(), {test::waves()}, *addresses.value);
-  if (!bound.value) return {std::nullopt, bound.problems};
+  const Outcome<ListedColumns> columns = listedColumns(text, "list.csv");
+  ProblemList problems = columns.problems;
+  Outcome<BoundStudy> bound = bindStudy(study, test::paperVehicle(), {test::waves()}, *columns.value);
+  problems.append(bound.problems);
+  if (!problems.empty()) return {std::nullopt, problems};
   Outcome<DesignList> list = readDesignList(text, "list.csv", *bound.value);
   if (!list.value) return {std::nullopt, list.problems};
   return DesignPlan::of(study, *bound.value, *list.value);
@@ -59,7 +60,7 @@ TEST(DesignList, EveryWrongLineIsTold) {
   EXPECT_EQ(problems("carbody.mass [t],carbody.mass [t]\n1,1\n"),
             "list.csv:1: error: column \"carbody.mass\" stands there twice\n");
   EXPECT_EQ(problems("carbody.mas [t]\n1\n"),
-            "error: <study><plan>: parameter \"carbody.mas\" is unknown; did you mean \"carbody.mass\"?\n");
+            "list.csv:1: error: parameter \"carbody.mas\" is unknown; did you mean \"carbody.mass\"?\n");
   EXPECT_EQ(
       problems("carbody.mass [m]\n1\n"),
       "list.csv:1: error: column \"carbody.mass\": the unit [m] is a length; a mass is expected, e.g. \"57 t\"\n");
@@ -67,6 +68,18 @@ TEST(DesignList, EveryWrongLineIsTold) {
             "list.csv:3: error: column \"carbody.mass\": \"heavy\" is no number\n"
             "list.csv:4: error: the row has 2 fields, the header 1\n"
             "list.csv:5: error: column \"carbody.mass\": \"nan\" is no number\n");
+  // One pass finds what is wrong with names, units and numbers alike.
+  EXPECT_EQ(problems("carbody.mas [t],primary.stiffness_z [kg]\n1,2\nx,y\n"),
+            "list.csv:3: error: column \"carbody.mas\": \"x\" is no number\n"
+            "list.csv:3: error: column \"primary.stiffness_z\": \"y\" is no number\n"
+            "list.csv:1: error: parameter \"carbody.mas\" is unknown; did you mean \"carbody.mass\"?\n"
+            "list.csv:1: error: column \"primary.stiffness_z\": the unit [kg] is a mass; a stiffness is expected, e.g. "
+            "\"3040 kN/m\"\n");
+  EXPECT_EQ(problems("carbody.mass [t];primary.stiffness_z [kN/m]\n50;3000\n"),
+            "list.csv:1: error: the fields are separated by \";\"; separate them by commas, and write decimals with a "
+            "point: a header reads e.g. \"secondary.stiffness_z [kN/m],carbody.mass [t]\"\n");
+  EXPECT_EQ(problems("carbody.mass [t]\n1e308\n"),
+            "list.csv:2: error: column \"carbody.mass\": \"1e308\" is no number\n");
   EXPECT_EQ(problems("carbody.mass [t]\n"), "list.csv: error: holds no design; write one a row under the header\n");
   study.designs = {{"light", "", {{"carbody.mass", "7 t", {}}}, {}}};
   EXPECT_EQ(

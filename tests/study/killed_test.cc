@@ -1,9 +1,14 @@
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <new>
 #include <random>
+#include <stdexcept>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -28,12 +33,31 @@ Study sweep() {
   return study;
 }
 
-// A process of its own runs the study and is killed at a random moment, again and again; whatever was left, resuming
-// gives the table of a run that nobody disturbed.
+/// What a child process says of its progress: memory that both see.
+class SharedCount {
+ public:
+  SharedCount() {
+    void* memory =
+        ::mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::runtime_error("no memory to share");
+    count_ = new (memory) std::atomic<std::uint64_t>(0);
+  }
+  ~SharedCount() { ::munmap(count_, sizeof *count_); }
+  SharedCount(const SharedCount&) = delete;
+  SharedCount& operator=(const SharedCount&) = delete;
+  std::atomic<std::uint64_t>& operator*() const { return *count_; }
+
+ private:
+  std::atomic<std::uint64_t>* count_ = nullptr;
+};
+
+// A process of its own runs the study and is killed after a random share of it, again and again; whatever was left,
+// resuming gives the table of a run that nobody disturbed.
 TEST(StudyRunner, AStudyKilledAtAnyMomentIsResumedToTheSameTable) {
   const TestFolder folder;
   const StudyInputs inputs = inputsOf(sweep(), paperVehicle(), {paperScenario(History::kExtended)});
   const DesignPlan plan = DesignPlan::of(inputs.study, inputs.bound).orThrow();
+  const SharedCount done;
   const auto run = [&](const std::string& file) {
     StudyTarget target;
     target.database = folder.path(file);
@@ -41,15 +65,16 @@ TEST(StudyRunner, AStudyKilledAtAnyMomentIsResumedToTheSameTable) {
     target.program = "vehicle 0.1.0";
     target.inputs = {{"study.xml", "<study/>"}};
     ThreadExecutor executor(2);
-    return runStudy(inputs, plan, target, executor);
+    return runStudy(inputs, plan, target, executor, [&](const StudyProgress& progress) {
+      *done = progress.before + progress.evaluated;
+      return true;
+    });
   };
   const auto table = [&](const std::string& file) {
     StudyDatabase::read(folder.path(file)).writeCsv(folder.path("table.csv"));
     return textOf(folder.path("table.csv"));
   };
-  const auto begin = std::chrono::steady_clock::now();
   run("whole");
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const std::string reference = table("whole");
   ASSERT_GT(reference.size(), 1'000'000u);
 
@@ -60,7 +85,9 @@ TEST(StudyRunner, AStudyKilledAtAnyMomentIsResumedToTheSameTable) {
     const std::string file = "killed-" + std::to_string(i);
     // Twice: the second child is killed while it goes on.
     for (int child = 0; child < 2; ++child) {
-      const double moment = std::uniform_real_distribution<>(0.0, 0.9 * seconds)(random);
+      const auto awaited = static_cast<std::uint64_t>(std::uniform_real_distribution<>(0.0, 0.9)(random) *
+                                                      static_cast<double>(plan.size()));
+      *done = 0;
       const pid_t process = ::fork();
       ASSERT_GE(process, 0);
       if (process == 0) {
@@ -71,10 +98,14 @@ TEST(StudyRunner, AStudyKilledAtAnyMomentIsResumedToTheSameTable) {
         }
         ::_exit(0);
       }
-      std::this_thread::sleep_for(std::chrono::duration<double>(moment));
-      ::kill(process, SIGKILL);
       int status = 0;
-      ::waitpid(process, &status, 0);
+      bool over = false;
+      while (!over && *done < awaited) {
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        over = ::waitpid(process, &status, WNOHANG) == process;
+      }
+      ::kill(process, SIGKILL);
+      if (!over) ::waitpid(process, &status, 0);
       ASSERT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0) << "the child failed by itself";
     }
     const StudyOutcome outcome = run(file);

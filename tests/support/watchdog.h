@@ -12,7 +12,7 @@ namespace vehicle::test {
 /// Ends the test program if the scope lasts longer: a hang must fail, and here nothing else could end it.
 class Watchdog {
  public:
-  explicit Watchdog(std::chrono::seconds patience = std::chrono::seconds(60))
+  explicit Watchdog(std::chrono::seconds patience = std::chrono::minutes(10))
       : guard_([this, patience] {
           std::unique_lock lock(mutex_);
           if (done_.wait_for(lock, patience, [this] { return over_; })) return;

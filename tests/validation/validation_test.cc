@@ -31,7 +31,7 @@ std::string outsideOf(const ValidationReport& report) {
     text += report.runs[pair.first].key.text() + " / " + report.runs[pair.second].key.text() + ": " +
             worst.column.name + " " + std::to_string(worst.norms.max_difference / *worst.expected) + " of limit\n";
   }
-  for (const ValidationRun& run : report.runs) text += run.failure;
+  for (const ValidationRun& run : report.runs) text += run.reason;
   return text;
 }
 
@@ -166,7 +166,10 @@ TEST(Validate, FewSamplesDoNotNarrowWhatIsExpected) {
   scenario.run.output_step = 1.5;
   const ValidationReport paper = validate(test::paperVehicle(), scenario);
   EXPECT_TRUE(paper.inside()) << outsideOf(paper);
-  const ValidationReport contact = validate(test::contactVehicle(), scenario, {{"matrix"}, {"rk4", "dopri5"}, {}});
+  ValidationChoice matrix;
+  matrix.forms = {"matrix"};
+  matrix.methods = {"rk4", "dopri5"};
+  const ValidationReport contact = validate(test::contactVehicle(), scenario, matrix);
   EXPECT_TRUE(contact.inside()) << outsideOf(contact);
   EXPECT_LT(pairOf(paper, "matrix exact", "flat rk4").expected.value_or(1.0), 1e-6);
 }

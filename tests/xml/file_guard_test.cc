@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "libvehicle/xml/named_file.h"
 #include "libvehicle/xml/reader.h"
 #include "tests/xml/files.h"
 
@@ -202,10 +203,11 @@ TEST(Files, WhatCannotBeReadIsToldWithTheReason) {
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "vehicle_unreadable";
   std::filesystem::create_directories(folder);
   const std::string name = folder.string();
-  EXPECT_EQ(checkFile(name + "/none.xml").text(),
+  EXPECT_EQ(readVehicle(name + "/none.xml").problems.text(),
             name + "/none.xml: error: cannot be read: No such file or directory; check the name of the file\n");
-  EXPECT_EQ(checkFile(name).text(), name + ": error: is a folder; name a file in it\n");
-  EXPECT_EQ(checkFile("/dev/zero").text(), "/dev/zero: error: is no regular file; copy what it gives into a file\n");
+  EXPECT_EQ(readVehicle(name).problems.text(), name + ": error: is a folder; name a file in it\n");
+  EXPECT_EQ(readVehicle("/dev/zero").problems.text(),
+            "/dev/zero: error: is no regular file; copy what it gives into a file\n");
   // A regular file whose first byte nobody may read, not even root: no page is mapped at address 0.
   EXPECT_EQ(readVehicle("/proc/self/mem").problems.text(),
             "/proc/self/mem: error: cannot be read: Input/output error; check its permissions\n");
@@ -225,23 +227,9 @@ TEST(Files, TheRootElementTellsTheKind) {
   EXPECT_EQ(kindOf(vehicle).value, FileKind::kVehicle);
   EXPECT_EQ(kindOf(scenario).value, FileKind::kScenario);
   EXPECT_EQ(kindOf(suite).value, FileKind::kSuite);
-  EXPECT_EQ(checkFile(vehicle).text() + checkFile(scenario).text() + checkFile(suite).text(), "");
+  EXPECT_TRUE(readVehicle(vehicle).ok() && readScenario(scenario).ok() && readSuite(suite).ok());
   EXPECT_EQ(readVehicle(scenario).problems.text(),
             scenario + ":1: error: the file holds a <scenario>; a <vehicle> is expected here\n");
-}
-
-TEST(Files, ASuiteTellsWhichOfItsFilesAreMissingOrOfTheWrongKind) {
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "vehicle_suite";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "v.xml") << test::textOf(test::kVehicleLines);
-  const std::string name = (folder / "u.xml").string();
-  std::ofstream(name) << test::withLine(test::kSuiteLines, 3,
-                                        "  <scenario file=\"v.xml\"/> <scenario file=\"lost.xml\"/>");
-  EXPECT_EQ(checkFile(name).text(),
-            name + ":3: error: <suite><scenario>: file=\"v.xml\" holds a <vehicle>; a <scenario> is expected here\n" +
-                name +
-                ":3: error: <suite><scenario>: file=\"lost.xml\": cannot be read: No such file or directory; "
-                "check the name of the file\n");
 }
 
 TEST(Files, NamesCountFromTheFolderOfTheNamingFile) {

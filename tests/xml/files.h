@@ -70,10 +70,15 @@ inline std::string textOf(const Lines& lines) {
   return text;
 }
 
-/// The file with another text in line `line`, counted from 1.
-inline std::string withLine(Lines lines, int line, const std::string& instead) {
+/// The lines with another text in line `line`, counted from 1.
+inline Lines withLines(Lines lines, int line, const std::string& instead) {
   lines.at(static_cast<std::size_t>(line - 1)) = instead;
-  return textOf(lines);
+  return lines;
+}
+
+/// The same as a text.
+inline std::string withLine(const Lines& lines, int line, const std::string& instead) {
+  return textOf(withLines(lines, line, instead));
 }
 
 /// One line of a file spoilt, and all that the program says about it.

@@ -33,12 +33,8 @@ bool isValid(const std::string& files) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-TEST(ShippedModels, HaveNoProblems) {
-  EXPECT_GE(shippedFiles().size(), 15u);
-  for (const std::string& file : shippedFiles()) EXPECT_EQ(checkFile(file).text(), "");
-}
-
 TEST(ShippedModels, ComeBackEqualFromTheWriter) {
+  EXPECT_GE(shippedFiles().size(), 15u);
   for (const std::string& file : shippedFiles()) {
     SCOPED_TRACE(file);
     switch (kindOf(file).orThrow()) {

@@ -128,7 +128,7 @@ a.xml:4: error: <suite><speed>: attribute "count" is missing; write e.g. count="
        R"(a.xml:5: error: <suite><form>: name="flat 7" is no name; names have up to 64 letters a-z, A-Z, digits, "_" and "-", and begin with a letter or digit
 )"},
       {5, R"(<from name="flat"/>)",
-       R"(a.xml:5: error: <suite>: element <from> is unknown; what may stand here: <title>, <source>, <vehicle>, <scenario>, <speed>, <form>, <method>
+       R"(a.xml:5: error: <suite>: element <from> is unknown; did you mean <form>?
 )"},
   };
   for (const Spoilt& each : cases) {

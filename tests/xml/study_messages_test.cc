@@ -87,47 +87,6 @@ TEST(StudyWriter, WhatIsReadIsWrittenAsItStood) {
   EXPECT_EQ(write(study), kEverything);
 }
 
-class StudyFiles : public ::testing::Test {
- protected:
-  StudyFiles() {
-    folder_.file("v.xml", test::textOf(test::kVehicleLines));
-    folder_.file("s.xml", test::textOf(test::kScenarioLines));
-  }
-  std::string problemsWith(int line, const std::string& instead) {
-    const std::string path = folder_.file("study.xml", withLine(test::kStudyLines, line, instead));
-    std::string text = checkFile(path).text();
-    for (std::size_t at = text.find(folder_.path("")); at != std::string::npos; at = text.find(folder_.path(""))) {
-      text.erase(at, folder_.path("").size());
-    }
-    return text;
-  }
-  test::TestFolder folder_;
-};
-
-TEST_F(StudyFiles, AStudyInOrderHasNoProblems) {
-  EXPECT_EQ(problemsWith(5, R"(<plan kind="grid"/>)"), "");
-  EXPECT_TRUE(readStudy(folder_.path("study.xml")).ok());
-}
-
-TEST_F(StudyFiles, NamesAreHeldAgainstTheVehicle) {
-  EXPECT_EQ(problemsWith(4, R"(<vary parameter="primary.stifness_z" from="2 MN/m" to="4 MN/m" count="3"/>)"),
-            "study.xml:4: error: <study><vary>: parameter \"primary.stifness_z\" is unknown; "
-            "did you mean \"primary.stiffness_z\"?\n");
-  EXPECT_EQ(problemsWith(4, R"(<vary parameter="frame.mass" from="2 MN/m" to="4 t" count="3"/>)"),
-            "study.xml:4: error: <study><vary>: from=\"2 MN/m\" is a stiffness; a mass is expected, e.g. \"57 t\"\n");
-}
-
-TEST_F(StudyFiles, AFileThatIsMissingOrWrongIsToldWhereItIsNamed) {
-  EXPECT_EQ(problemsWith(2, R"(<vehicle file="s.xml"/>)"),
-            "study.xml:2: error: <study><vehicle>: file=\"s.xml\" holds a <scenario>; a <vehicle> is expected here\n");
-  folder_.file("wrong.xml", withLine(test::kVehicleLines, 3, R"(<body name="frame" mass="-1 t" motion="z"/>)"));
-  EXPECT_EQ(problemsWith(2, R"(<vehicle file="wrong.xml"/>)"),
-            "study.xml:2: error: <study><vehicle>: file=\"wrong.xml\" has problems: wrong.xml:3: error: "
-            "<vehicle><body>: mass=\"-1 t\"; must be > 0; mend it first\n");
-  EXPECT_NE(problemsWith(3, R"(<scenario file="nowhere.xml"/>)").find("study.xml:3: error: <study><scenario>: file=\""),
-            std::string::npos);
-}
-
 // Two lists of attributes exist, because `definition` may not see the schema table: they must say the same.
 template <class Owner>
 void expectParameters(const ElementRow& row, const void* parent, const std::string& prefix,

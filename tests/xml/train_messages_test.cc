@@ -87,7 +87,7 @@ class TrainFolder : public ::testing::Test {
 TEST_F(TrainFolder, ATrainIsReadWithItsVehiclesAndIsAVehicle) {
   const std::string file = put("t.xml", test::textOf(test::kTrainLines));
   EXPECT_EQ(kindOf(file).value, FileKind::kTrain);
-  EXPECT_EQ(checkFile(file).text(), "");
+  EXPECT_EQ(readTrain(file).problems.text(), "");
   const Train train = readTrain(file).orThrow();
   EXPECT_EQ(train.vehicles[0].vehicle.name, "v");
   EXPECT_EQ(readVehicle(file).orThrow(), assembled(train));
@@ -99,32 +99,28 @@ TEST_F(TrainFolder, ATrainIsReadWithItsVehiclesAndIsAVehicle) {
 
 TEST_F(TrainFolder, AVehicleFileThatIsMissingOrNoVehicleIsToldByTheTrain) {
   const std::string file = train(R"(<vehicle file="lost.xml" spacing="26 m"/> <vehicle file="t.xml" spacing="26 m"/>)");
-  EXPECT_EQ(checkFile(file).text(),
-            file + ":2: error: <train><vehicle>: file=\"lost.xml\": cannot be read: No such file or directory; check "
-                   "the name of the file\n" +
+  EXPECT_EQ(readTrain(file).problems.text(),
+            file +
+                ":2: error: <train><vehicle>: file=\"lost.xml\": cannot be read: No such file or directory; check "
+                "the name of the file\n" +
                 file + ":2: error: <train><vehicle>: file=\"t.xml\" holds a <train>; a <vehicle> is expected here\n");
-  EXPECT_EQ(readVehicle(file).problems.text(), checkFile(file).text());
+  EXPECT_EQ(readVehicle(file).problems.text(), readTrain(file).problems.text());
 }
 
 TEST_F(TrainFolder, ProblemsOfAVehicleFileAreToldOnceAtItsOwnPlace) {
   const std::string wrong =
       put("w.xml", withLine(test::kVehicleLines, 3, R"(<body name="frame" mass="0 t" motion="z"/>)"));
   const std::string file = train(R"(<vehicle file="w.xml" spacing="26 m"/> <vehicle file="w.xml" spacing="26 m"/>)");
-  EXPECT_EQ(checkFile(file).text(), wrong + ":3: error: <vehicle><body>: mass=\"0 t\"; must be > 0\n");
+  EXPECT_EQ(readTrain(file).problems.text(), wrong + ":3: error: <vehicle><body>: mass=\"0 t\"; must be > 0\n");
   EXPECT_FALSE(readVehicle(file).value.has_value());
 }
 
 TEST_F(TrainFolder, ContradictionsBetweenATrainAndItsVehiclesAreTold) {
   const std::string file = train(R"(<vehicle file="v.xml" count="2" spacing="20 m"/>)");
-  EXPECT_EQ(checkFile(file).text(), file + ":2: error: <train><vehicle>: the ends of \"v.xml\" and \"v.xml\" overlap by "
-                                           "5 m; take a larger spacing or a smaller end_x\n");
-}
-
-TEST_F(TrainFolder, ASuiteMayNameATrainAsAVehicle) {
-  put("t.xml", test::textOf(test::kTrainLines));
-  put("s.xml", test::textOf(test::kScenarioLines));
-  const std::string suite = put("u.xml", withLine(test::kSuiteLines, 2, R"(<vehicle file="t.xml"/>)"));
-  EXPECT_EQ(checkFile(suite).text(), "");
+  EXPECT_EQ(readTrain(file).problems.text(),
+            file +
+                ":2: error: <train><vehicle>: the ends of \"v.xml\" and \"v.xml\" overlap by "
+                "5 m; take a larger spacing or a smaller end_x\n");
 }
 
 TEST(ScenarioReader, NamesPartsOfATrainByVehicleAndPart) {

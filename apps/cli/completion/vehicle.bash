@@ -34,7 +34,7 @@ _vehicle() {
       info) words="$common --gravity" ;;
       simulate) words="$common --form --method $settings $sharing --output" ;;
       modes) words="$common --form --gravity" ;;
-      validate) words="$common --form --method $settings --serial --details" ;;
+      validate) words="$common --form --method $settings --serial --details --time-limit --allow-unjudged" ;;
       profile) words="$common --form --method --speed --step $sharing $team --every --trace --timeline --realtime" ;;
       study) words="$common --output --resume --jobs --best --write-best --export" ;;
       schema) words="--help --xsd --markdown" ;;

@@ -22,11 +22,15 @@ struct DesignList {
   [[nodiscard]] std::uint64_t rows() const { return parameters.empty() ? 0 : values.size() / parameters.size(); }
 };
 
-/// The addresses that the header names, to be bound with the study.
+/// The header of a list, to be bound with the study (bindStudy()), and all that is wrong with the text without knowing
+/// the study: fields that are not separated by commas, a column without name and unit or that stands there twice, a row
+/// with too many or too few fields, a field that is no number, no row at all. At most 20 problems.
 /// @param file  what messages call the text
-[[nodiscard]] Outcome<std::vector<std::string>> listedAddresses(std::string_view text, const std::string& file);
+/// @returns the columns that can be read, problems or not
+[[nodiscard]] Outcome<ListedColumns> listedColumns(std::string_view text, const std::string& file);
 
-/// All rows, at most 20 problems: a unit of another kind, a field that is no number, too many or too few fields.
+/// All rows of a text that listedColumns() finds in order. Problems, at most 20: a number that is infinite in SI.
+/// @param study  bound with the columns of that list
 [[nodiscard]] Outcome<DesignList> readDesignList(std::string_view text, const std::string& file,
                                                  const BoundStudy& study);
 

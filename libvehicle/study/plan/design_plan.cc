@@ -24,6 +24,16 @@ void checkListed(const Study& study, const BoundStudy& bound, const DesignList& 
   }
 }
 
+void checkSearched(const DesignPlan& plan, const Search& search, ProblemList& problems) {
+  const auto generations = static_cast<std::uint64_t>(search.generations) + 1;  // the random start counts
+  const std::uint64_t searched = generations * static_cast<std::uint64_t>(search.population);
+  if (plan.size() + searched <= kMostDesigns) return;
+  problems.add(search.origin, "<study><search>",
+               fmt::format("makes {} designs in {} generations; at most {} are kept", searched, generations,
+                           kMostDesigns),
+               "take fewer generations or a smaller population");
+}
+
 }  // namespace
 
 Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignList list) {
@@ -61,6 +71,7 @@ Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignL
                          sampled ? "take a smaller size"
                                  : "take fewer steps, or let latin_hypercube or sobol choose among them");
   }
+  if (study.search) checkSearched(made, *study.search, outcome.problems);
   if (outcome.problems.empty()) outcome.value = std::move(made);
   return outcome;
 }

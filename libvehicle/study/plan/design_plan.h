@@ -35,7 +35,7 @@ class DesignPlan {
   /// @param study   in order by check()
   /// @param bound   the study bound to its vehicle and scenarios
   /// @param list    of a plan kind="list"
-  /// Problems: a grid of more than 10^9 designs, too many factors, a listed parameter that a named design sets too.
+  /// Problems: more than 10^9 designs, too many factors, a listed parameter that a named design sets too.
   [[nodiscard]] static Outcome<DesignPlan> of(const Study& study, BoundStudy bound, DesignList list = {});
 
   [[nodiscard]] const BoundStudy& study() const { return study_; }

@@ -1,0 +1,40 @@
+#include "libvehicle/project/suite_work.h"
+
+#include <utility>
+
+#include "libvehicle/project/named_files.h"
+#include "libvehicle/project/suite_check.h"
+#include "libvehicle/xml/reader.h"
+
+namespace vehicle {
+
+Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice, FileSource& files) {
+  Outcome<Suite> suite = readSuite(file, files);
+  if (!suite.value) return {std::nullopt, std::move(suite.problems)};
+
+  SuiteWork work;
+  NamedFiles named("suite", files);
+  for (const FileReference& each : suite.value->vehicles) {
+    if (std::optional<Vehicle> vehicle = named.vehicle(each)) work.vehicles.push_back(std::move(*vehicle));
+  }
+  for (const FileReference& each : suite.value->scenarios) {
+    if (std::optional<Scenario> scenario = named.scenario(each)) work.scenarios.push_back(std::move(*scenario));
+  }
+  ProblemList problems = named.problems();
+  problems.append(checkNames(*suite.value));
+  if (problems.empty()) {
+    if (choice.run.speed) suite.value->speeds.clear();
+    work.suite = std::move(*suite.value);
+    work.cases = casesOf(work.suite);
+    if (choice.run.speed) {
+      for (ValidationCase& each : work.cases) each.speed = choice.run.speed;
+    }
+    work.choice = choiceOf(work.suite, choice);
+    problems = checkCases(work);
+  }
+  problems.sortByPlace();
+  if (!problems.empty()) return {std::nullopt, std::move(problems)};
+  return {std::move(work), {}};
+}
+
+}  // namespace vehicle

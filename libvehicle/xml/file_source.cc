@@ -1,0 +1,84 @@
+#include "libvehicle/xml/file_source.h"
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace vehicle {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 28;
+
+Outcome<std::string> refuse(const std::string& path, std::string message, std::string remedy) {
+  Outcome<std::string> outcome;
+  outcome.problems.add({path, 0}, "", std::move(message), std::move(remedy));
+  return outcome;
+}
+
+Outcome<std::string> tooLarge(const std::string& path) {
+  return refuse(path, fmt::format("is larger than {} MiB", kMostBytes >> 20), "make several files of it");
+}
+
+Outcome<std::string> readFromDisk(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    const std::string reason = error ? error.message() : std::strerror(ENOENT);
+    return refuse(path, fmt::format("cannot be read: {}", reason), "check the name of the file");
+  }
+  if (fs::is_directory(status)) return refuse(path, "is a folder", "name a file in it");
+  if (!fs::is_regular_file(status)) {
+    return refuse(path, "is no regular file", "copy what it gives into a file");
+  }
+  // Files of /proc have a size of 0 and text all the same: the size alone does not end the reading.
+  if (fs::file_size(path, error) > kMostBytes && !error) return tooLarge(path);
+  std::string text;
+  errno = 0;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (file != nullptr) {
+    std::array<char, 65536> block;
+    std::size_t got = 0;
+    while (text.size() <= kMostBytes && (got = std::fread(block.data(), 1, block.size(), file.get())) > 0) {
+      text.append(block.data(), got);
+    }
+  }
+  const int reason = errno;
+  if (file == nullptr || std::ferror(file.get()) != 0) {
+    return refuse(path, fmt::format("cannot be read: {}", std::strerror(reason)), "check its permissions");
+  }
+  if (text.size() > kMostBytes) return tooLarge(path);
+  return {std::move(text), {}};
+}
+
+}  // namespace
+
+FileSource::FileSource(const std::map<std::string, std::string>& texts) : reads_disk_(false) {
+  for (const auto& [path, text] : texts) known_[keyOf(path)] = {text, {}};
+}
+
+const Outcome<std::string>& FileSource::text(const std::string& path) {
+  const auto [known, is_new] = known_.try_emplace(keyOf(path));
+  if (is_new) {
+    known->second = reads_disk_
+                        ? readFromDisk(path)
+                        : refuse(path, "is not among the files that are kept", "read the files from disk again");
+  }
+  return known->second;
+}
+
+std::string FileSource::keyOf(const std::string& path) const {
+  return (reads_disk_ ? fs::absolute(path) : fs::path(path)).lexically_normal().string();
+}
+
+}  // namespace vehicle

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/storage/csv_text.h"
@@ -27,6 +28,21 @@ using test::parametersOfDesign;
 using test::smallStudy;
 using test::TestFolder;
 using test::textOf;
+
+/// Another program with a transaction open.
+class SqliteWriter {
+ public:
+  explicit SqliteWriter(const std::string& path) {
+    EXPECT_EQ(sqlite3_open(path.c_str(), &handle_), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(handle_, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
+  }
+  ~SqliteWriter() { sqlite3_close(handle_); }
+  SqliteWriter(const SqliteWriter&) = delete;
+  SqliteWriter& operator=(const SqliteWriter&) = delete;
+
+ private:
+  sqlite3* handle_ = nullptr;
+};
 
 /// What a call says when it refuses, without the folder's name.
 std::string refusalOf(const TestFolder& folder, const std::function<void()>& call) {
@@ -149,12 +165,20 @@ TEST(StudyDatabase, OnlyTheSameStudyGoesOnAndEveryChangedLineIsTold) {
   newer.program = "vehicle 0.2.0";
   EXPECT_EQ(
       refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, newer)); }),
-      "study.sqlite: was begun by vehicle 0.1.0, this is vehicle 0.2.0: their numbers may differ in the last digits; "
-      "go on with that program, or write to a new file");
+      "study.sqlite: error: was begun by vehicle 0.1.0, this is vehicle 0.2.0: their numbers may differ in the last "
+      "digits; go on with that program, or write to a new file\n");
   // The names of files may be given from another folder: they are the same files.
   StudyRecord moved = record;
   moved.inputs[1].name = "../coach.xml";
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, moved)); }), "no refusal");
+  // One file in the place of another is no file with other lines.
+  StudyRecord replaced = record;
+  replaced.inputs[1] = {"wagon.xml", "<vehicle name=\"wagon\"/>\n"};
+  EXPECT_EQ(
+      refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, replaced)); }),
+      "wagon.xml: error: was no part of the study when study.sqlite was begun\n"
+      "coach.xml: error: was a part of the study when study.sqlite was begun\n"
+      "study.sqlite: error: holds designs of the study as it was; bring the files back, or write to a new file\n");
 }
 
 TEST(StudyDatabase, AFileThatIsNoStudyIsRefusedAndLeftAlone) {
@@ -166,17 +190,20 @@ TEST(StudyDatabase, AFileThatIsNoStudyIsRefusedAndLeftAlone) {
   for (const auto& open :
        std::vector<std::function<void()>>{[&] { static_cast<void>(StudyDatabase::resume(path, record)); },
                                           [&] { static_cast<void>(StudyDatabase::read(path)); }}) {
-    EXPECT_EQ(refusalOf(folder, open), "text.sqlite: holds no study: it is no SQLite file");
+    EXPECT_EQ(refusalOf(folder, open),
+              "text.sqlite: error: holds no study: it is no SQLite file; name a database that `vehicle study --output` "
+              "wrote\n");
   }
   EXPECT_EQ(textOf(path), std::string(2000, 'x'));
   folder.file("empty.sqlite", "");
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("empty.sqlite"))); }),
-            "empty.sqlite: holds no study");
+            "empty.sqlite: error: holds no study; name a database that this program's `vehicle study --output` "
+            "wrote\n");
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("none.sqlite"))); }),
-            "none.sqlite: cannot be opened: there is no such file");
+            "none.sqlite: error: cannot be read: No such file or directory; check the name of the file\n");
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.root())); })
                 .substr(folder.root().string().size()),
-            ": cannot be opened: it is a folder");
+            ": error: is a folder; name a file in it\n");
   EXPECT_EQ(
       refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("no/where.sqlite"), record)); }),
       "no/where.sqlite: cannot be written: No such file or directory; its folder must exist and be writable");
@@ -199,6 +226,57 @@ TEST(StudyDatabase, OneProcessWritesWhileOthersRead) {
   }
   // Closed in order, the study is one file: no log, no lock.
   EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(StudyDatabase, AnEmptyFileIsTakenForANewOneAndALinkIsFollowed) {
+  const TestFolder folder;
+  const std::string path = folder.file("empty.sqlite", "");
+  std::filesystem::create_symlink("other.sqlite", folder.path("link.sqlite"));
+  for (const std::string& each : {path, folder.path("link.sqlite")}) {
+    EXPECT_EQ(StudyDatabase::create(each, smallStudy()).stored(), 0u);
+    EXPECT_EQ(StudyDatabase::read(each).record(), smallStudy());
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link.sqlite")));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder.path("other.sqlite")));
+}
+
+TEST(StudyDatabase, ANameThatSqliteWouldReadAsAUriIsAFileName) {
+  const TestFolder folder;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.root());
+  for (const char* name : {"file:a.sqlite", "file:b.sqlite?mode=memory", ":memory:"}) {
+    EXPECT_EQ(StudyDatabase::create(name, smallStudy()).stored(), 0u);
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder.path(name))) << name;
+    EXPECT_EQ(StudyDatabase::resume(name, smallStudy()).stored(), 0u) << name;
+  }
+  std::filesystem::current_path(before);
+  EXPECT_EQ(folder.entries(), 3u);
+}
+
+TEST(StudyDatabase, IsReplacedWholeOnlyWhereNobodyWritesIt) {
+  const TestFolder folder;
+  const std::string path = folder.path("study.sqlite");
+  StudyRecord other = smallStudy(3);
+  other.metrics.pop_back();
+  {
+    StudyDatabase database = StudyDatabase::create(path, smallStudy());
+    database.append(batchOf(database.record(), 0, 10));
+    EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::replace(path, other)); }),
+              "study.sqlite: another process is writing it; wait for its end");
+  }
+  {
+    // Any SQLite tool may be writing, without our lock.
+    SqliteWriter tool(path);
+    EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::replace(path, other)); }),
+              "study.sqlite: another process is writing it; wait for its end");
+  }
+  EXPECT_EQ(StudyDatabase::read(path).stored(), 10u);
+  EXPECT_EQ(StudyDatabase::replace(path, other).stored(), 0u);
+  EXPECT_EQ(StudyDatabase::read(path).record(), other);
+  const std::string foreign = folder.file("foreign.sqlite", "SQLite format 3");
+  EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::replace(foreign, other)); }),
+            "foreign.sqlite: exists already; go on with it, remove it, or name another file");
+  EXPECT_EQ(folder.entries(), 2u);
 }
 
 // A killed study leaves its log beside the file. Who removes the file alone and begins anew must not get the old

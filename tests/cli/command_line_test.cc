@@ -54,7 +54,7 @@ TEST(CommandLine, EveryOptionOfStudyTellsItsDefault) {
     if (has(text, "--help") || has(text, "--quiet")) continue;
     EXPECT_TRUE(has(text, "(default: ") || has(text, "(required)")) << text;
   }
-  EXPECT_EQ(options, 10u) << help;
+  EXPECT_EQ(options, 11u) << help;
 }
 
 TEST(CommandLine, VersionIsOneLineOnStdout) {

@@ -344,8 +344,8 @@ TEST(FlatTrain, RefusesMatricesOfAVeryLongOne) {
     (void)form->linear();
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "flat: matrices of 2008 states are not made, only up to 2000; integrate by rk4 or "
-                               "dopri5, which need none");
+    EXPECT_STREQ(error.what(), "the form flat has 2008 states here, and its matrices are formed for at most 2000; take "
+                               "the method rk4 or dopri5, which need none");
   }
 }
 

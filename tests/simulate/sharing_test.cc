@@ -201,8 +201,8 @@ TEST(Sharing, AutoNamesTheOnlyWayThereIs) {
     choice.scheme = scheme;
     return run(paperVehicle(), shortened(paperScenario(History::kOnset)), form, method, choice).decision.reason;
   };
-  EXPECT_EQ(reason("flat", "dopri5", ""), "serial: there is no other way");
-  EXPECT_EQ(reason("mbs", "rk4", ""), "serial: there is no other way");
+  EXPECT_EQ(reason("flat", "dopri5", ""), "serial: there is no other scheme to try");
+  EXPECT_EQ(reason("mbs", "rk4", ""), "serial: there is no other scheme to try");
   // On one core it is the scheme's one thread.
   EXPECT_TRUE(reason("flat", "rk4_split", "split").starts_with("split")) << reason("flat", "rk4_split", "split");
 }

@@ -87,7 +87,8 @@ TEST(TrainRun, RefusesWhatIsNotForTrains) {
   EXPECT_EQ(refusalOf(assembled(equalTrain(paperVehicle(), 2, 16.0)), scenario, "rk4_split"),
             "rk4_split: couplings join the bounce and pitch of a train's vehicles; take rk4");
   EXPECT_EQ(refusalOf(assembled(equalTrain(paperVehicle(), 251, 16.0)), scenario, "exact"),
-            "flat: matrices of 2008 states are not made, only up to 2000; integrate by rk4 or dopri5, which need none");
+            "the form flat has 2008 states here, and its matrices are formed for at most 2000; take the method rk4 or "
+            "dopri5, which need none");
 }
 
 }  // namespace

@@ -89,7 +89,8 @@ Action addCheck(CLI::App& program) {
   CLI::App* command = program.add_subcommand("check", "check files of any kind and print every problem");
   command
       ->add_option("files", options->files,
-                   "files of any kind, - for standard input (<stdin> in messages); each scenario is\nalso checked together with each vehicle and train given")
+                   "files of any kind, - for standard input (<stdin> in messages); each scenario is\n"
+                   "also checked together with each vehicle and train given")
       ->type_name("FILE")
       ->required()
       ->expected(1, 1 << 20);

@@ -16,7 +16,7 @@ inline constexpr const char* kProgram = "vehicle " VEHICLE_VERSION;
 /// @throws InvalidInput  another study or other files; a database that is damaged or none
 void requireOwnDatabase(const std::string& database, const std::string& study, const StudyWork& work);
 
-/// The study that a database keeps. Problems of its files, which a stricter program may find, are placed in the database.
+/// The study that a database keeps. Problems of its files, which a stricter program may find, are placed in it.
 /// @throws InvalidInput
 [[nodiscard]] StudyWork restoredFrom(const StudyRecord& record, const std::string& database);
 

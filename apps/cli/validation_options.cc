@@ -75,7 +75,8 @@ void requireValidationOptionsUsed(const CLI::App& command, const ValidationWork&
     refuse("--details", "csv and json hold every detail always", "omit it");
   }
   // The plan asks for eigenvalues of every vehicle: only where something depends on it.
-  if (!isAnyGiven(command, {"--step", "--rtol", "--atol", "--accuracy", "--serial", "--time-limit", "--allow-unjudged"})) {
+  if (!isAnyGiven(command, {"--step", "--rtol", "--atol", "--accuracy", "--serial", "--time-limit",
+                            "--allow-unjudged"})) {
     return;
   }
   const Planned planned = plannedOf(work.cases);

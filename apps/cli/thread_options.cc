@@ -87,7 +87,7 @@ std::vector<Fact> sharingFacts(const RunResult& result) {
 
 void noteUnshared(const RunChoice& choice, const RunResult& result, const CommonOptions& common) {
   constexpr int kSeveral = 2;
-  if (choice.threads != 0 || !result.decision.reason.empty() || canBeShared(result.form, result.method)) return;
+  if (choice.threads != 0 || canBeShared(result.form, result.method)) return;
   printNote("--threads auto is one thread: " + threadsMisfit(result.form, result.method, kSeveral, ""), common);
 }
 

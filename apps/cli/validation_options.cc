@@ -28,7 +28,7 @@ void requireOnce(const char* option, const std::vector<std::string>& names) {
 /// What runs in any of the cases.
 struct Planned {
   std::set<std::string> methods;
-  bool shares = false;            // some run among threads, unless --serial omits them
+  bool shares = false;  // some run among threads, unless --serial omits them
 };
 
 Planned plannedOf(const SuiteWork& work) {
@@ -36,7 +36,7 @@ Planned plannedOf(const SuiteWork& work) {
   choice.shared = usualSharedColumns();
   Planned planned;
   for (const ValidationCase& each : work.cases) {
-    const ValidationPlan plan = planOf(work.vehicles[each.vehicle], work.scenarios[each.scenario], choice);
+    const ValidationPlan plan = validationPlanOf(work.vehicles[each.vehicle], work.scenarios[each.scenario], choice);
     for (const RunKey& run : plan.runs) {
       planned.methods.insert(run.method);
       planned.shares = planned.shares || !run.scheme.empty();
@@ -75,8 +75,8 @@ void requireValidationOptionsUsed(const CLI::App& command, const ValidationWork&
     refuse("--details", "csv and json hold every detail always", "omit it");
   }
   // The plan asks for eigenvalues of every vehicle: only where something depends on it.
-  if (!isAnyGiven(command, {"--step", "--rtol", "--atol", "--accuracy", "--serial", "--time-limit",
-                            "--allow-unjudged"})) {
+  if (!isAnyGiven(command,
+                  {"--step", "--rtol", "--atol", "--accuracy", "--serial", "--time-limit", "--allow-unjudged"})) {
     return;
   }
   const Planned planned = plannedOf(work.cases);

@@ -110,6 +110,14 @@ TEST(SimulateCommand, WithAutoTheChoiceAndItsNumbersArePrinted) {
   EXPECT_EQ(taken, 1) << run.out;
 }
 
+TEST(SimulateCommand, WithAutoARunThatCannotBeSharedSaysWhyItHasOneThread) {
+  const TestFolder folder;
+  const ProgramRun run =
+      runVehicle({"simulate", kVehicle, shortPaper(folder), "--method", "dopri5", "--threads", "auto"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(has(run.err, "note: --threads auto is one thread: the method dopri5 runs on one thread: ")) << run.err;
+}
+
 TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {
   const TestFolder folder;
   const ProgramRun run =

@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/commands.h"
@@ -9,6 +12,7 @@
 #include "apps/cli/remarks.h"
 #include "libvehicle/project/check_file.h"
 #include "libvehicle/project/together.h"
+#include "libvehicle/xml/text_guard.h"
 
 namespace vehicle::cli {
 namespace {
@@ -18,10 +22,30 @@ struct Judged {
   CheckedFile found;
 };
 
+/// Standard input in messages, as compilers call it. What it names is looked up from the current folder.
+constexpr const char* kStandardInput = "<stdin>";
+
+/// The names of the files, standard input read into the source where "-" asks for it.
+/// @throws std::invalid_argument  it is asked for twice
+std::vector<std::string> namesOf(std::vector<std::string> files, FileSource& source) {
+  const auto first = std::find(files.begin(), files.end(), "-");
+  if (first == files.end()) return files;
+  if (std::find(first + 1, files.end(), "-") != files.end()) {
+    throw std::invalid_argument("check: \"-\" is given twice, and standard input can be read once; give it once");
+  }
+  *first = kStandardInput;
+  // One byte more than a file may have is enough to know that it is too large.
+  std::string text(kMostBytes + 1, '\0');
+  std::cin.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(std::cin.gcount()));
+  source.hold(kStandardInput, std::move(text));
+  return files;
+}
+
 int checkFiles(const std::vector<std::string>& files, const CommonOptions& common) {
   FileSource disk;
   std::vector<Judged> all;
-  for (const std::string& file : files) all.push_back({file, checkFile(file, disk)});
+  for (const std::string& file : namesOf(files, disk)) all.push_back({file, checkFile(file, disk)});
   // Every scenario given is held against every vehicle given.
   for (Judged& scenario : all) {
     if (!scenario.found.scenario) continue;
@@ -62,10 +86,11 @@ Action addCheck(CLI::App& program) {
     CommonOptions common;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("check", "judge files of any kind; print all problems");
+  CLI::App* command = program.add_subcommand("check", "check files of any kind and print every problem");
   command
       ->add_option("files", options->files,
-                   "files of any kind; each scenario is also held against each vehicle and train given")
+                   "files of any kind, - for standard input (<stdin> in messages); each scenario is\n"
+                   "also checked together with each vehicle and train given")
       ->type_name("FILE")
       ->required()
       ->expected(1, 1 << 20);

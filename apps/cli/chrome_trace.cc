@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "libvehicle/storage/output_kind.h"
+
 namespace vehicle::cli {
 namespace {
 
@@ -33,7 +35,7 @@ void addLine(std::string& text, const Json& event) {
 }  // namespace
 
 std::string chromeTraceOf(const Trace& trace, const std::string& title) {
-  std::string text = "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[";
+  std::string text = fmt::format("{{\"displayTimeUnit\":\"ns\",{},\"traceEvents\":[", kTraceMark);
   addLine(text, nameEvent("process_name", 0, title));
   for (int i = 1; i <= trace.threads; ++i) addLine(text, nameEvent("thread_name", i, fmt::format("thread {}", i)));
   for (const Span& span : trace.spans) addLine(text, spanEvent(span));

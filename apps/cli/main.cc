@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/options.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/request.h"
 #include "libvehicle/diagnostics/problem.h"
 
 namespace vehicle::cli {
@@ -21,7 +23,8 @@ namespace {
 int perform(const Action& action) {
   try {
     const int status = action();
-    if (!std::cout.flush()) throw RunFailed("stdout cannot be written");
+    // A terminal that has hung up takes no more; what was done is saved all the same.
+    if (!std::cout.flush() && status != kInterrupted) throw RunFailed("stdout cannot be written");
     return status;
   } catch (const InvalidInput& wrong) {
     std::cerr << wrong.problems().text();
@@ -35,9 +38,11 @@ int perform(const Action& action) {
   }
 }
 
-int told(const std::string& page) {
-  std::cout << page;
-  return kDone;
+int printPage(const std::string& page) {
+  return perform([&page] {
+    std::cout << page;
+    return static_cast<int>(kDone);
+  });
 }
 
 struct Command {
@@ -54,28 +59,35 @@ std::vector<Command> addCommands(CLI::App& program) {
   for (Command& each : commands) {
     each.action = each.add(program);
     CLI::App* app = program.get_subcommands(nullptr).back();
-    app->set_help_flag("--help", "this page");
+    app->set_help_flag("--help", "this page; -h and vehicle help " + app->get_name() + " print it too");
     each.app = app;
   }
   return commands;
 }
 
-int run(int argc, char** argv) {
-  CLI::App program("Rail vehicle dynamics: one XML vehicle, several forms that check each other.", "vehicle");
+int run(const std::vector<std::string>& line) {
+  CLI::App program(
+      "Rail vehicle dynamics: one XML vehicle, several independent formulations (forms) that check each other.",
+      "vehicle");
   program.formatter(std::make_shared<HelpLayout>());
-  program.set_help_flag("--help", "this page; vehicle COMMAND --help tells what the command takes");
+  program.set_help_flag("--help", "this page; vehicle help COMMAND shows what the command takes");
   program.set_version_flag("--version", "vehicle " VEHICLE_VERSION, "name and version");
   program.require_subcommand(1);
   program.footer("Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml");
   const std::vector<Command> commands = addCommands(program);
+  std::vector<std::string> names;
+  for (const Command& each : commands) names.push_back(each.app->get_name());
 
+  Request request = requestOf(line, names);
+  if (request.kind == Request::Kind::kVersion) return printPage("vehicle " VEHICLE_VERSION "\n");
+  if (request.kind == Request::Kind::kHelp) {
+    const CLI::App& asked = request.command.empty() ? program : *program.get_subcommand(request.command);
+    return printPage(asked.help());
+  }
   try {
-    program.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    const CLI::App& asked = program.get_subcommands().empty() ? program : *program.get_subcommands().front();
-    return perform([&] { return told(asked.help()); });
-  } catch (const CLI::CallForVersion& version) {
-    return perform([&] { return told(std::string(version.what()) + '\n'); });
+    std::reverse(request.words.begin(), request.words.end());  // as CLI11 takes them
+    program.parse(request.words);
+    requireGivenOnce(*program.get_subcommands().front());
   } catch (const CLI::ParseError& error) {
     std::cerr << explain(program, error) << '\n';
     return kCommandLineIsWrong;
@@ -93,5 +105,5 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file as large as it may be is an error of its write, nothing to be killed for
-  return vehicle::cli::run(argc, argv);
+  return vehicle::cli::run({argv + std::min(argc, 1), argv + argc});
 }

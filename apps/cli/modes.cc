@@ -34,12 +34,26 @@ double phaseInDegrees(std::complex<double> entry) {
   return phase < -180.0 + 1e-9 ? 180.0 : phase;
 }
 
-int printModes(const Options& options) {
+/// Gravity acts on a motion through static loads at heights and through contacts that stiffen under load; what the
+/// equations of this vehicle say of it is looked up in them.
+void requireGravityUsed(const CLI::App& command, const Options& options, const std::string& form,
+                        const Vehicle& vehicle, const System& system) {
+  if (command.count("--gravity") == 0) return;
+  const std::unique_ptr<System> heavier = buildForm(form, vehicle, 2.0 * options.gravity);
+  if (system.linear()->A != heavier->linear()->A) return;
+  throw std::invalid_argument(
+      fmt::format("--gravity has no effect: the form {} of \"{}\" has no static load at a height and no Hertz contact, "
+                  "so that its modes do not depend on gravity; omit it",
+                  form, vehicle.name));
+}
+
+int printModes(const Options& options, const CLI::App& command) {
   const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
   const std::string form = options.form.empty() ? defaultForm(vehicle) : options.form;
   if (!isLinearForm(form))
     throw std::invalid_argument(fmt::format("--form: modes need a linear form; {} is nonlinear", form));
   const std::unique_ptr<System> system = buildForm(form, vehicle, options.gravity);
+  requireGravityUsed(command, options, form, vehicle, *system);
   const std::vector<Mode> modes = modesOf(*system);
 
   Table eigenvalues{"modes",
@@ -89,7 +103,7 @@ Action addModes(CLI::App& program) {
       "Of a pair the eigenvalue with positive imaginary part stands here. In a shape the largest coordinate is 1\n"
       "(m or rad); coordinates below 1e-9 are left out.\n"
       "Example: vehicle modes models/vehicles/al-oraiqat-2017.xml --form matrix");
-  return [options] { return printModes(*options); };
+  return [options, command] { return printModes(*options, *command); };
 }
 
 }  // namespace vehicle::cli

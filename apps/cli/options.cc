@@ -40,6 +40,17 @@ std::string sentence(std::string text) {
   return text.ends_with('.') ? text : text + ".";
 }
 
+/// An option, not an argument or a list, that is given more than once; null where there is none.
+const CLI::Option* repeatedIn(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const bool is_list = option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+    if (!option->get_positional() && !is_list && option->count() > 1) return option;
+  }
+  return nullptr;
+}
+
+std::string longNameOf(const CLI::Option& option) { return "--" + option.get_lnames().front(); }
+
 /// Two columns; what follows a line break in `right` is set below its first line.
 std::string twoColumns(const std::vector<std::pair<std::string, std::string>>& lines) {
   std::size_t width = 0;
@@ -67,7 +78,8 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
           "table | csv | json, on stdout; csv holds the tables only   (default: table)")
       ->type_name("NAME")
       ->check(oneOf({"table", "csv", "json"}));
-  command.add_flag("--quiet", options.quiet, "no progress and no notes on stderr; warnings and errors remain");
+  command.add_flag("--quiet,-q", options.quiet,
+                   "or -q: no progress or notes on stderr; warnings and errors remain");
   command.add_flag("--strict", options.strict,
                    "exit status 4 where there is a warning   (default: warnings only print)");
 }
@@ -139,7 +151,7 @@ std::string HelpLayout::make_help(const CLI::App* app, std::string, CLI::AppForm
       usage += " " + argumentOf(*option);
       arguments.emplace_back(option->get_type_name(), option->get_description());
     } else {
-      std::string left = option->get_name();
+      std::string left = longNameOf(*option);
       // Flags take nothing.
       if (option->get_items_expected_max() > 0) left += " " + option->get_type_name();
       options.emplace_back(left, option->get_description());
@@ -152,6 +164,10 @@ std::string HelpLayout::make_help(const CLI::App* app, std::string, CLI::AppForm
   if (!commands.empty()) text += twoColumns(commands) + "\n";
   if (!arguments.empty()) text += twoColumns(arguments) + "\n";
   return text + twoColumns(options) + "\n" + app->get_footer() + "\n" + kExitStatusHelp + "\n";
+}
+
+void requireGivenOnce(const CLI::App& command) {
+  if (repeatedIn(command) != nullptr) throw CLI::ParseError("repeated", CLI::ExitCodes::ArgumentMismatch);
 }
 
 std::string explain(const CLI::App& program, const CLI::ParseError& error) {
@@ -174,10 +190,18 @@ std::string explain(const CLI::App& program, const CLI::ParseError& error) {
   if (chosen.empty()) return fmt::format("{}: a command is missing; see vehicle --help", name);
   if (!unread.empty())
     return fmt::format("{}: \"{}\" is one argument too many; see {} --help", name, unread.front(), name);
+  if (const CLI::Option* repeated = repeatedIn(app)) {
+    return fmt::format("{}: {} is given {} times; give it once", name, longNameOf(*repeated), repeated->count());
+  }
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() && option->get_required() && option->count() == 0) {
       return fmt::format("{}: {} is missing; see {} --help", name, option->get_type_name(), name);
     }
+  }
+  if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+    const std::string text = error.what();  // "--xsd excludes --markdown"
+    return fmt::format("{}: {} and {} exclude each other; give one of them", name, text.substr(0, text.find(' ')),
+                       text.substr(text.rfind(' ') + 1));
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     const std::string text = error.what();

@@ -43,6 +43,10 @@ class HelpLayout : public CLI::FormatterBase {
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
 };
 
+/// Flags too: whoever gives an option twice means two things by it.
+/// @throws CLI::ParseError
+void requireGivenOnce(const CLI::App& command);
+
 /// What is wrong with the command line, in one line, with the nearest right option or command.
 [[nodiscard]] std::string explain(const CLI::App& program, const CLI::ParseError& error);
 

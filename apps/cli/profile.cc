@@ -11,10 +11,12 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/outputs.h"
 #include "apps/cli/profile_realtime.h"
 #include "apps/cli/profile_run.h"
 #include "apps/cli/profile_tables.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/run_options.h"
 #include "apps/cli/thread_options.h"
 #include "apps/cli/timeline.h"
 #include "libvehicle/storage/atomic_file.h"
@@ -28,6 +30,7 @@ struct Options {
   int every = 16;
   std::string trace, timeline;   // files, or empty
   std::optional<double> period;  // [s] of --realtime
+  Overwrite overwrite = Overwrite::kOwnFiles;
   CommonOptions common;
 };
 
@@ -39,18 +42,38 @@ void store(const std::string& file, const std::string& text, bool quiet) {
   if (!quiet) std::cerr << fmt::format("written: {}\n", file);
 }
 
-/// Opened and given up again before the run: it would be in vain.
-void requireWritable(const Options& options) {
-  if (!options.trace.empty() && options.trace == options.timeline)
-    throw std::invalid_argument("--trace and --timeline name the same file");
-  for (const std::string& file : {options.trace, options.timeline}) {
-    if (!file.empty()) const AtomicFile probe(file);
+/// By the clock one thread makes rk4 steps of one period, and nothing is traced.
+void requireUsedByTheClock(const CLI::App& command) {
+  const auto refuse = [&](const char* option, const char* why) {
+    if (command.count(option) == 0) return;
+    throw std::invalid_argument(fmt::format("{} has no effect: with --realtime {}; omit one of them", option, why));
+  };
+  for (const char* option : {"--threads", "--scheme", "--map", "--waiting"}) {
+    refuse(option, "one thread computes all equations");
   }
+  refuse("--method", "the method is rk4");
+  refuse("--step", "the period is the step");
+  for (const char* option : {"--every", "--trace", "--timeline"}) refuse(option, "no step is traced");
 }
 
-int profileAndPrint(const Options& options) {
-  requireWritable(options);
+void requireOptionsUsed(const CLI::App& command, const Options& options, const Model& model) {
+  if (options.period) {
+    requireSpeedUsed(command, {model.scenario});
+    return;
+  }
+  requireRunOptionsUsed(command, options.choice, model);
+  requireThreadsFor(command, {"--waiting", "--pinning", "--priority", "--every"}, options.choice);
+}
+
+int profileAndPrint(const Options& options, const CLI::App& command) {
+  requireOutputForOverwrite(command, {"--trace", "--timeline"});
+  if (options.period) requireUsedByTheClock(command);
   const Model model = readModel(options.files);
+  OutputGuard guard(options.overwrite);
+  protectModel(guard, model);
+  if (command.count("--trace") > 0) guard.claim(options.trace, "--trace", OutputKind::kTrace);
+  if (command.count("--timeline") > 0) guard.claim(options.timeline, "--timeline", OutputKind::kTimeline);
+  requireOptionsUsed(command, options, model);
   if (options.period) return profileByTheClock(model, options.choice, *options.period, options.common);
   Profile profile;
   {
@@ -83,14 +106,13 @@ Action addProfile(CLI::App& program) {
   addVehicleFile(*command, options->files);
   addScenarioFile(*command, options->files);
   addSharing(*command, options->choice, "4");
-  CLI::Option* realtime = addQuantity(*command, "--realtime", Dimension::kTime,
-                                      "one rk4 step is released every period of true time, on one thread, the\nrail "
-                                      "fed by another; tells jitter and missed deadlines   (default: off)",
-                                      [options, command](double value) {
-                                        options->period = value;
-                                        if (command->count("--priority") == 0)
-                                          options->choice.team.priority = Priority::kFifo;
-                                      });
+  addQuantity(*command, "--realtime", Dimension::kTime,
+              "one rk4 step is released every period of true time, on one thread, the\nrail fed by another; shows "
+              "jitter and missed deadlines   (default: off)",
+              [options, command](double value) {
+                options->period = value;
+                if (command->count("--priority") == 0) options->choice.team.priority = Priority::kFifo;
+              });
   addTeam(*command, options->choice.team);
   command->add_option("--form", options->choice.form, "flat | matrix   (default: flat where it fits, else matrix)")
       ->type_name("NAME")
@@ -103,18 +125,16 @@ Action addProfile(CLI::App& program) {
   addQuantity(*command, "--step", Dimension::kTime, "rk4: largest step   (default: \"1 ms\")",
               [options](double value) { options->choice.step = value; });
   addCount(*command, "--every", options->every, "traces every N-th step; 1 traces all   (default: 16)");
-  command->add_option("--trace", options->trace, "spans as JSON for Perfetto   (default: none)")->type_name("FILE");
-  command->add_option("--timeline", options->timeline, "two steps as an SVG   (default: none)")->type_name("FILE");
-  for (const char* other :
-       {"--threads", "--scheme", "--map", "--waiting", "--method", "--step", "--every", "--trace", "--timeline"}) {
-    realtime->excludes(command->get_option(other));
-  }
+  command->add_option("--trace", options->trace, "spans for Perfetto, .json   (default: none)")->type_name("FILE");
+  command->add_option("--timeline", options->timeline, "two steps as a picture, .svg   (default: none)")
+      ->type_name("FILE");
+  addOverwrite(*command, options->overwrite);
   addCommonOptions(*command, options->common);
   command->footer(
-      "Runs serial code, shared and traced in turn and tells the time of a step of each, a loss like a gain.\n"
+      "Runs the serial code, the shared one and the traced one alternately and prints the time per step of each.\n"
       "Example: vehicle profile models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
       "             --threads 4 --scheme stages --map paper --timeline threads.svg");
-  return [options] { return profileAndPrint(*options); };
+  return [options, command] { return profileAndPrint(*options, *command); };
 }
 
 }  // namespace vehicle::cli

@@ -195,7 +195,8 @@ Document documentOf(const Profile& profile) {
   if (profile.run.team.members.empty()) {
     document.tables = {decisionTable(profile.run.decision), speedTable(profile)};
     document.tables.back().rows.resize(1);
-    document.remarks = {"the run stayed on the program's own thread: nobody waited, there is nothing more to tell"};
+    document.remarks = {
+        "the run stayed on the program's own thread, which waits for no other: there is nothing more to show"};
     return document;
   }
   const double untraced = profile.plain.median();

@@ -5,8 +5,8 @@
 
 namespace vehicle::cli {
 
-/// Ctrl-C and SIGTERM (timeout, batch systems) ask for an end instead of killing: commands look here between samples.
-/// The second of a kind kills.
+/// Ctrl-C, SIGTERM (timeout, batch systems) and SIGHUP (a terminal that closes) ask for an end instead of killing:
+/// commands look here between samples. The second of a kind kills. A SIGHUP that was ignored at the start stays so.
 void catchInterrupt();
 [[nodiscard]] bool interrupted();
 

@@ -1,26 +1,10 @@
 #include "apps/cli/run_files.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "libvehicle/storage/atomic_file.h"
-
 namespace vehicle::cli {
-
-void requireWritable(const std::vector<std::string>& outputs) {
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    static_cast<void>(historyFormatOf(outputs[i]));
-    if (std::find(outputs.begin(), outputs.begin() + static_cast<std::ptrdiff_t>(i), outputs[i]) !=
-        outputs.begin() + static_cast<std::ptrdiff_t>(i)) {
-      throw std::invalid_argument(fmt::format("--output {} is given twice", outputs[i]));
-    }
-  }
-  // Opened and given up again: the old file stays as it is.
-  for (const std::string& output : outputs) const AtomicFile probe(output);
-}
 
 RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult& result) {
   RunRecord record;

@@ -11,9 +11,11 @@
 #include "apps/cli/history_table.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
 #include "apps/cli/run_files.h"
+#include "apps/cli/run_options.h"
 #include "apps/cli/thread_options.h"
 #include "libvehicle/simulate/stiffness.h"
 
@@ -24,12 +26,17 @@ struct Options {
   ModelFiles files;
   RunChoice choice;
   std::vector<std::string> outputs;
+  Overwrite overwrite = Overwrite::kOwnFiles;
   CommonOptions common;
 };
 
-int simulateAndStore(const Options& options) {
-  requireWritable(options.outputs);
+int simulateAndStore(const Options& options, const CLI::App& command) {
+  requireOutputForOverwrite(command, {"--output"});
   const Model model = readModel(options.files);
+  OutputGuard guard(options.overwrite);
+  protectModel(guard, model);
+  for (const std::string& output : options.outputs) guard.claim(output, "--output", OutputKind::kHistory);
+  requireRunOptionsUsed(command, options.choice, model);
   const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
   RunResult result;
   {
@@ -60,6 +67,7 @@ int simulateAndStore(const Options& options) {
   addWarnings(result.warnings, options.common, document);
   print(document, options.common.format, std::cout);
   for (const std::string& note : result.notes) printNote(note, options.common);
+  noteUnshared(options.choice, result, options.common);
   if (const std::string note = stiffnessNote(model.vehicle, model.scenario, options.choice, result); !note.empty()) {
     printNote(note, options.common);
   }
@@ -101,6 +109,7 @@ Action addSimulate(CLI::App& program) {
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addOverwrite(*command, options->overwrite);
   addCommonOptions(*command, options->common);
   command->footer(
       "Prints a summary of every column in the format chosen; whole histories go to --output. Peaks and r.m.s. are of\n"
@@ -108,7 +117,7 @@ Action addSimulate(CLI::App& program) {
       "Threads change the time that a run takes and no bit of its result.\n"
       "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
       "             --speed \"72 km/h\" --output run.h5 --output run.csv");
-  return [options] { return simulateAndStore(*options); };
+  return [options, command] { return simulateAndStore(*options, *command); };
 }
 
 }  // namespace vehicle::cli

@@ -3,17 +3,18 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "apps/cli/exit_status.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/remarks.h"
 #include "apps/cli/study_best.h"
+#include "apps/cli/study_options.h"
+#include "apps/cli/study_resume.h"
 #include "apps/cli/study_tables.h"
 #include "libvehicle/project/study_work.h"
-#include "libvehicle/storage/atomic_file.h"
 #include "libvehicle/study/evaluate/rest_and_modes.h"
 #include "libvehicle/study/runner.h"
 #include "libvehicle/study/search/search_study.h"
@@ -60,38 +61,24 @@ std::string goOnWith(const StudyOptions& options) {
                      quoted(options.database));
 }
 
-/// Where nothing can be written, that is told before hours of work.
-void requireTargets(const StudyOptions& options) {
-  if (std::filesystem::is_directory(options.database)) {
-    throw std::invalid_argument(fmt::format("--output: {} is a folder; name a file in it", options.database));
-  }
-  if (!options.resume && std::filesystem::exists(options.database)) {
-    throw std::invalid_argument(fmt::format(
-        "--output: {} exists already; go on with it by --resume, or name another file", options.database));
-  }
-  if (!options.csv.empty()) const AtomicFile probe(options.csv);
-  if (!options.best_folder.empty()) requireFolder(options.best_folder);
-}
-
 StudyOutcome evaluate(const StudyOptions& options, const StudyWork& work, Executor& executor) {
-  const StudyTarget target{options.database, options.resume, "vehicle " VEHICLE_VERSION, work.texts};
+  const StudyTarget target{options.database, options.resume, kProgram, work.texts,
+                           options.overwrite == Overwrite::kAnyFile};
   const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
   std::unique_ptr<ProgressBar> bar;
+  bool begun = !std::filesystem::exists(options.database);  // from then on the file holds what is done
   const StudyWatch watch = [&](const StudyProgress& progress) {
+    begun = true;
     // The rate is of what this run evaluates, the share of the whole study.
     const double missing = static_cast<double>(progress.designs - progress.before);
     if (!bar) bar = std::make_unique<ProgressBar>(shown, missing, "designs");
     return bar->update(missing > 0.0 ? static_cast<double>(progress.evaluated) / missing : 1.0, "study");
   };
-  const bool is_new = !std::filesystem::exists(options.database);
   try {
     return work.inputs.study.search ? searchStudy(work.inputs, work.plan, target, executor, watch)
                                     : runStudy(work.inputs, work.plan, target, executor, watch);
-  } catch (const InvalidInput& wrong) {
-    throw InvalidInput(asSeenFromHere(wrong.problems(), options.study));
   } catch (const RunFailed& failed) {
-    // A file that has been begun keeps what it holds.
-    if (!is_new || !std::filesystem::exists(options.database)) throw;
+    if (!begun || !std::filesystem::exists(options.database)) throw;
     throw RunFailed(fmt::format("{}. {}", failed.what(), goOnWith(options)));
   }
 }
@@ -120,13 +107,10 @@ StudySummary show(const StudyOptions& options, const std::string& path, const St
     remark("written: " + options.csv);
   }
   if (options.best_folder.empty()) return summary;
-  requireFolder(options.best_folder);
-  const std::vector<std::string> written = writeBest(options.best_folder, summary, work);
+  const std::vector<std::string> written =
+      writeBest(options.best_folder, summary, work, BestNames(work, static_cast<std::size_t>(options.best)));
   for (const std::string& each : written) remark("written: " + each);
-  if (written.empty()) {
-    remark(summary.best.empty() ? "--write-best: nothing is written: the study has neither objectives nor named designs"
-                                : "--write-best: nothing is written: no design keeps the limits");
-  }
+  if (written.empty()) printNote("--write-best: nothing is written: no design keeps the limits", options.common);
   return summary;
 }
 
@@ -140,7 +124,7 @@ Document headOf(const StudyWork& work, const std::string& database) {
 
 }  // namespace
 
-int runStudyFile(const StudyOptions& options) {
+int runStudyFile(const StudyOptions& options, const CLI::App& command) {
   const std::unique_ptr<Executor> executor = executorOf(options);
   if (!executor->leads()) return help(options, *executor);
   FileSource disk;
@@ -148,7 +132,12 @@ int runStudyFile(const StudyOptions& options) {
   if (ProblemList problems = checkBeforeFirstDesign(work, options.study); !problems.empty()) {
     throw InvalidInput(std::move(problems));
   }
-  requireTargets(options);
+  requireUsedByStudy(command, work.inputs.study);
+  OutputGuard guard(options.overwrite);
+  claimOutputs(guard, command, options, work);
+  if (options.resume && std::filesystem::exists(options.database)) {
+    requireOwnDatabase(options.database, options.study, work);
+  }
   Document document = headOf(work, options.database);
   document.remarks.push_back(StudyEvaluator(work.inputs).path().text);
   if (!options.common.quiet) {
@@ -174,9 +163,12 @@ int runStudyFile(const StudyOptions& options) {
   return kRunFailed;
 }
 
-int showStudy(const StudyOptions& options) {
+int showStudy(const StudyOptions& options, const CLI::App& command) {
   const StudyRecord record = StudyDatabase::read(options.shown).record();
-  const StudyWork work = restoreStudyWork(record);
+  const StudyWork work = restoredFrom(record, options.shown);
+  requireUsedByStudy(command, work.inputs.study);
+  OutputGuard guard(options.overwrite);
+  claimOutputs(guard, command, options, work);
   Document document = headOf(work, options.shown);
   document.facts.push_back({"written by", record.program, ""});
   static_cast<void>(show(options, options.shown, work, std::move(document)));

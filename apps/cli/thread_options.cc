@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/cli/options.h"
+#include "apps/cli/remarks.h"
 #include "libvehicle/partition/scheme.h"
 #include "libvehicle/partition/team/waiting.h"
 #include "libvehicle/simulate/thread_choice.h"
@@ -83,6 +83,12 @@ std::vector<Fact> sharingFacts(const RunResult& result) {
     facts.push_back({"calibration", 1e3 * result.decision.calibration, "ms"});
   }
   return facts;
+}
+
+void noteUnshared(const RunChoice& choice, const RunResult& result, const CommonOptions& common) {
+  constexpr int kSeveral = 2;
+  if (choice.threads != 0 || canBeShared(result.form, result.method)) return;
+  printNote("--threads auto is one thread: " + threadsMisfit(result.form, result.method, kSeveral, ""), common);
 }
 
 Table decisionTable(const Decision& decision) {

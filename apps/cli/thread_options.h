@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/cli/document.h"
+#include "apps/cli/options.h"
 #include "libvehicle/simulate/simulate.h"
 
 namespace vehicle::cli {
@@ -19,6 +20,9 @@ void addTeam(CLI::App& command, TeamChoice& team);
 
 /// How a run was shared: scheme and threads; where that was left open, the reason for the choice too.
 [[nodiscard]] std::vector<Fact> sharingFacts(const RunResult& result);
+
+/// Says why --threads auto left a run on one thread that no other could share.
+void noteUnshared(const RunChoice& choice, const RunResult& result, const CommonOptions& common);
 
 /// What --threads auto weighed: each way with the time of a step that was predicted and measured; without rows where
 /// nothing was left open.

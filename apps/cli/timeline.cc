@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "libvehicle/storage/output_kind.h"
+
 namespace vehicle::cli {
 namespace {
 
@@ -135,8 +137,8 @@ std::string timelineOf(const Trace& trace, const std::string& title) {
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      kWidth, height);
+      "{2}\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      kWidth, height, kTimelineMark);
   text += textAt(kLeft, 34.0, "font-size=\"17\" font-weight=\"bold\"", title) + legend();
   if (!drawable) return text + textAt(kLeft, kHead + 18.0, "", "no step was traced") + "</svg>\n";
   text += panel(trace, steps[steps.size() / 2], kHead, "a step of median length");

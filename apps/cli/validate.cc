@@ -14,6 +14,7 @@
 #include "apps/cli/options.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
+#include "apps/cli/validation_options.h"
 #include "apps/cli/validation_tables.h"
 #include "libvehicle/project/suite_work.h"
 #include "libvehicle/xml/reader.h"
@@ -29,18 +30,12 @@ struct Options {
   bool allow_unjudged = false;
 };
 
-/// One case, or all of a suite.
-struct Work {
-  SuiteWork cases;
-  bool is_suite = false;
-};
-
 /// VEHICLE and SCENARIO, or a suite alone and all files that it names.
-Work readWork(const ModelFiles& named, const ValidationChoice& choice) {
+ValidationWork readWork(const ModelFiles& named, const ValidationChoice& choice) {
   FileSource disk;
   const bool is_suite = kindOf(named.vehicle, disk).orThrow() == FileKind::kSuite;
   if (is_suite && !named.scenario.empty())
-    throw std::invalid_argument("a suite names its scenarios itself; leave out SCENARIO");
+    throw std::invalid_argument("a suite names its scenarios itself; omit SCENARIO");
   if (!is_suite && named.scenario.empty())
     throw std::invalid_argument("SCENARIO is missing, or a suite instead of VEHICLE");
   if (is_suite) return {readSuiteWork(named.vehicle, choice, disk).orThrow(), true};
@@ -79,8 +74,9 @@ void printReports(const std::vector<ValidationReport>& reports, bool is_suite, c
   }
 }
 
-int validateAll(const Options& options) {
-  const Work work = readWork(options.files, options.choice);
+int validateAll(const Options& options, const CLI::App& command) {
+  const ValidationWork work = readWork(options.files, options.choice);
+  requireValidationOptionsUsed(command, work, options.choice, options.common);
   Warnings warnings;
   if (work.is_suite) warnings = unjudgedOf(work.cases);
   printWarnings(warnings);
@@ -110,7 +106,7 @@ int validateAll(const Options& options) {
 Action addValidate(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
-      program.add_subcommand("validate", "set every form and method against each other and the exact solution");
+      program.add_subcommand("validate", "compare all forms and methods with each other and with the exact solution");
   command->add_option("vehicle", options->files.vehicle, "vehicle file, or a suite alone")
       ->type_name("VEHICLE|SUITE")
       ->required();
@@ -130,7 +126,7 @@ Action addValidate(CLI::App& program) {
             "only this method; may be given several times   (default: all)");
   addRunSettings(*command, options->choice.run);
   command->add_flag_callback("--serial", [options] { options->choice.shared.clear(); },
-                             "no runs shared among threads   (default: the flat form's beside their serial runs)");
+                             "omit the runs that threads share   (default: those of the form flat run too)");
   command->add_flag("--details", options->details,
                     "table: every quantity of every run and every pair   (csv and json: always)");
   options->choice.shared_time_limit = 1.0;
@@ -146,7 +142,7 @@ Action addValidate(CLI::App& program) {
       "or true geometry. A pair outside ends the program with exit status 4 and is named on stderr; so does\n"
       "a pair that could not be judged.\n"
       "Example: vehicle validate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml");
-  return [options] { return validateAll(*options); };
+  return [options, command] { return validateAll(*options, *command); };
 }
 
 }  // namespace vehicle::cli

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "libvehicle/definition/bind_metrics.h"
 #include "libvehicle/definition/bound_study.h"
@@ -18,6 +19,12 @@ std::string speedLabel(double speed) {
   const auto [end, error] =
       std::to_chars(text.data(), text.data() + text.size(), speed * 3.6, std::chars_format::general, 6);
   return std::string(text.data(), end) + " km/h";
+}
+
+/// What a scenario says of a run and its samples: a steady state has neither.
+bool isOfRunsOnly(std::string_view address) {
+  return address == "scenario.duration" || address == "scenario.distance" || address == "scenario.output_step" ||
+         address == "scenario.fade_in";
 }
 
 class Binder {
@@ -54,6 +61,11 @@ class Binder {
   std::optional<std::size_t> indexOf(const std::string& address, Judge& judge) {
     for (std::size_t i = 0; i < bound_.parameters.size(); ++i) {
       if (bound_.parameters[i].address == address) return i;
+    }
+    if (study_.evaluation == Evaluation::kSteadyState && isOfRunsOnly(address)) {
+      judge.say(address + " has no effect with evaluation=\"steady_state\", which has neither start nor end",
+                "remove it, or take evaluation=\"run\"");
+      return std::nullopt;
     }
     StudyParameter found;
     found.address = address;

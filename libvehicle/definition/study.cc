@@ -42,6 +42,11 @@ class Checks {
     Judge judge(problems_, "<study>", study_.name, study_.origin);
     judge.properName(study_.name);
     judge.notNegative("settle", study_.settle, Dimension::kTime);
+    if (study_.evaluation == Evaluation::kSteadyState && study_.settle > 0.0) {
+      judge.say(written("settle", study_.settle, Dimension::kTime) +
+                    " has no effect with evaluation=\"steady_state\", which has no start to leave out",
+                "remove settle, or take evaluation=\"run\"");
+    }
     if (study_.vehicle.file.empty()) judge.say("has no <vehicle>", "name one, e.g. <vehicle file=\"coach.xml\"/>");
     if (study_.scenarios.empty()) judge.say("has no <scenario>", "a study has at least one");
     if (study_.metrics.empty()) judge.say("has no <metric>", "name what is compared, e.g. carbody.az.rms");
@@ -114,8 +119,14 @@ class Checks {
     const Plan& plan = *study_.plan;
     Judge judge(problems_, "<study><plan>", "", plan.origin);
     if (study_.search) judge.say("stands beside a <search>", "a search chooses its designs itself; remove one of them");
-    if (plan.seed < 0) judge.say(written("seed", std::to_string(plan.seed)), "must be >= 0");
     const bool samples = plan.kind != PlanKind::kGrid && plan.kind != PlanKind::kList;
+    if (plan.seed && *plan.seed < 0) {
+      judge.say(written("seed", std::to_string(*plan.seed)), "must be >= 0");
+    } else if (plan.seed && !samples) {
+      judge.say(written("seed", std::to_string(*plan.seed)) + " has no effect: a " +
+                    (plan.kind == PlanKind::kGrid ? "grid" : "list") + " draws nothing",
+                "remove seed, or take a kind that samples: latin_hypercube, sobol, saltelli");
+    }
     if (samples && !plan.size) judge.say("has no size", "say how many designs, e.g. size=\"1000\"");
     if (!samples && plan.size) {
       judge.say("has size", plan.kind == PlanKind::kGrid ? "the counts of the ranges make the size of a grid"

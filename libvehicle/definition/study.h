@@ -46,10 +46,13 @@ enum class PlanKind {
   kList,            // designs of a CSV file
 };
 
+/// Seed of a plan that draws and names none.
+inline constexpr int kPlanSeed = 1;
+
 struct Plan {
   PlanKind kind = PlanKind::kGrid;
   std::optional<int> size;  // >= 1
-  int seed = 1;
+  std::optional<int> seed;  // of a plan that draws; kPlanSeed where it is not given
   std::string file;  // of a kList, counted from the folder of the study
   Origin origin;
   bool operator==(const Plan&) const = default;

@@ -169,7 +169,8 @@ void checkSize(const Track& track, const std::vector<Passage>& passages, std::si
   if (bytes <= kMostInputBytes) return;
   constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
   refuse(track.origin, "<scenario><track>",
-         fmt::format("{} wheelsets meet the rail's kinks one by one: {} pieces of input would take {:.3g} GiB; must be "
+         fmt::format("{} wheelsets pass the discontinuities of the rail at different times: {} segments of input would "
+                     "take {:.3g} GiB; must be "
                      "at most {:.3g} GiB",
                      wheels, segments, bytes / kGibibyte, kMostInputBytes / kGibibyte),
          track.history == History::kOnset ? "take history=\"extended\", or a shorter train or run"

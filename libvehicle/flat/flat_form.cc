@@ -165,7 +165,7 @@ ProblemList flatMisfits(const Vehicle& vehicle, FlatVariant variant) {
   if (!problems.empty()) return problems;
   if (vehicle.units.size() > 1 && variant != FlatVariant::kConsistent) {
     problems.add({vehicle.origin, "<train name=\"" + vehicle.name + "\">",
-                  "is a train; the printed equations know one vehicle", "use the form flat"});
+                  "is a train; the printed equations are of one vehicle", "take the form flat"});
     return problems;
   }
   const Topology topology = topologyOf(vehicle);

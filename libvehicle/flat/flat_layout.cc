@@ -25,7 +25,7 @@ std::string pathOfPart(const char* kind, const std::string& name) {
   return fmt::format("<vehicle><{} name=\"{}\">", kind, name);
 }
 
-const std::string kOtherForm = "use the form matrix";
+const std::string kOtherForm = "take the form matrix, which computes any vehicle";
 
 /// Reads a layout part by part and notes what does not fit.
 class Reader {
@@ -78,26 +78,29 @@ class Reader {
       if (reading_.layout.carbody < 0) {
         reading_.layout.carbody = static_cast<int>(b);
       } else {
-        misfitBody(static_cast<int>(b), fmt::format("is a carbody beside \"{}\"; the flat form has one carbody",
-                                                    topology_.bodies[at(reading_.layout.carbody)].name));
+        misfitBody(static_cast<int>(b),
+                   fmt::format("is a second carbody beside \"{}\"; the form flat computes one carbody",
+                               topology_.bodies[at(reading_.layout.carbody)].name));
       }
     }
     if (reading_.layout.carbody < 0) {
       reading_.problems.add({vehicle_.origin, fmt::format("<vehicle name=\"{}\">", vehicle_.name),
-                             "has no body that stands on other bodies; the flat form is a carbody on two bogies",
+                             "has no body that stands on other bodies; the form flat computes a carbody on two bogies",
                              kOtherForm});
       return false;
     }
     const TopologyBody& carbody = topology_.bodies[at(reading_.layout.carbody)];
     if (carbody.z_index < 0 || carbody.pitch_index < 0) {
       misfitBody(reading_.layout.carbody,
-                 fmt::format("moves in {} only; the flat form's carbody moves in z and pitch",
+                 fmt::format("moves in {} only; the form flat computes z and pitch of the carbody",
                              carbody.z_index < 0 ? "pitch" : "z"),
-                 "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix");
+                 "take the form matrix, or write motion=\"z pitch\" with a pitch_inertia");
     }
     for (const int s : on_wheels_[at(reading_.layout.carbody)]) {
-      misfitSuspension(s, fmt::format("joins the carbody \"{}\" to a wheelset; the flat form's stands on bogies",
-                                      carbody.name));
+      misfitSuspension(
+          s,
+          fmt::format("joins the carbody \"{}\" to a wheelset; the form flat computes carbodies that stand on bogies",
+                      carbody.name));
     }
     return true;
   }
@@ -111,12 +114,13 @@ class Reader {
       if (carried) {
         bogies.push_back(static_cast<int>(b));
       } else if (static_cast<int>(b) != reading_.layout.carbody && (under_[b].empty() || !over_[b].empty())) {
-        misfitBody(static_cast<int>(b), "is neither the carbody nor a bogie under it; the flat form has no other body");
+        misfitBody(static_cast<int>(b),
+                   "is neither the carbody nor a bogie under it; the form flat computes no other body");
       }
     }
     if (bogies.size() != 2) {
       misfitBody(reading_.layout.carbody,
-                 fmt::format("stands on {} {} ({}); the flat form has two", bogies.size(),
+                 fmt::format("stands on {} {} ({}); the form flat computes two", bogies.size(),
                              bogies.size() == 1 ? "bogie" : "bogies", namesOf(topology_.bodies, bogies)));
     }
     return bogies;
@@ -125,31 +129,35 @@ class Reader {
   void readBogie(int index, std::size_t place) {
     const TopologyBody& bogie = topology_.bodies[at(index)];
     if (bogie.pitch_index >= 0) {
-      misfitBody(index, "pitches; the flat form's bogies move in z only",
-                 "write motion=\"z\", or use the form matrix");
+      misfitBody(index, "has a pitch motion; the form flat computes the bounce of a bogie and no pitch",
+                 "take the form matrix, which computes both");
     } else if (bogie.z_index < 0) {
-      misfitBody(index, "does not move in z; the flat form's bogies do");
+      misfitBody(index, "has no z motion; the form flat computes bogies that move in z");
     }
     const std::vector<int>& secondaries = over_[at(index)];
     if (secondaries.size() != 1) {
-      misfitBody(index, fmt::format("carries by {} suspensions ({}); the flat form has one secondary a bogie",
+      misfitBody(index, fmt::format("carries bodies by {} suspensions ({}); the form flat computes one for each bogie",
                                     secondaries.size(), namesOf(topology_.suspensions, secondaries)));
     }
     for (const int s : under_[at(index)]) {
-      misfitSuspension(s, fmt::format("joins the bogie \"{}\" to another body; the flat form's stand on wheelsets",
-                                      bogie.name));
+      misfitSuspension(
+          s,
+          fmt::format("joins the bogie \"{}\" to another body; the form flat computes bogies that stand on wheelsets",
+                      bogie.name));
     }
     std::vector<int> primaries = on_wheels_[at(index)];
     const auto wheel = [&](int s) { return topology_.suspensions[at(s)].lower_wheelset; };
     if (primaries.size() != 2) {
-      misfitBody(index, fmt::format("stands on wheelsets by {} suspension{} ({}); the flat form has two axles a bogie",
-                                    primaries.size(), primaries.size() == 1 ? "" : "s",
-                                    namesOf(topology_.suspensions, primaries)));
+      misfitBody(
+          index,
+          fmt::format("stands on wheelsets by {} suspension{} ({}); the form flat computes two for each bogie",
+                      primaries.size(), primaries.size() == 1 ? "" : "s", namesOf(topology_.suspensions, primaries)));
       return;
     }
     if (wheel(primaries[0]) == wheel(primaries[1])) {
-      misfitBody(index, fmt::format("stands twice on the wheelset \"{}\"; the flat form has two axles a bogie",
-                                    topology_.wheelsets[at(wheel(primaries[0]))].name));
+      misfitBody(index,
+                 fmt::format("stands on the wheelset \"{}\" twice; the form flat computes two wheelsets for each bogie",
+                             topology_.wheelsets[at(wheel(primaries[0]))].name));
       return;
     }
     if (place >= 2) return;
@@ -170,9 +178,10 @@ class Reader {
       const TopologyWheelset& wheelset = topology_.wheelsets[j];
       const Place& place = vehicle_.wheelsets[j].origin;
       if (wheelset.z_index >= 0) {
-        misfit(place, "wheelset", wheelset.name,
-               "has a motion of its own on its contact; the flat form's wheelsets follow the rail",
-               "leave out the contact, or use the form matrix");
+        misfit(
+            place, "wheelset", wheelset.name,
+            "has mass and contact, and so a motion of its own; the form flat computes wheelsets that follow the rail",
+            "take the form matrix, or remove the contact");
       }
       std::vector<int> carried;
       for (const TopologySuspension& suspension : topology_.suspensions) {
@@ -183,9 +192,10 @@ class Reader {
       }
       if (carried.size() != 1) {
         misfit(place, "wheelset", wheelset.name,
-               carried.empty() ? std::string("carries nothing; the flat form's wheelsets carry one bogie each")
-                               : fmt::format("carries {} bodies ({}); the flat form's wheelsets carry one bogie each",
-                                             carried.size(), namesOf(topology_.bodies, carried)));
+               carried.empty()
+                   ? std::string("carries nothing; the form flat computes wheelsets that carry one bogie each")
+                   : fmt::format("carries {} bodies ({}); the form flat computes wheelsets that carry one bogie each",
+                                 carried.size(), namesOf(topology_.bodies, carried)));
       }
     }
   }
@@ -205,14 +215,14 @@ FlatReading readLayout(const Vehicle& vehicle, const Topology& topology) { retur
 ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const FlatLayout& layout) {
   // Places are sums and differences of the file's numbers: arms that are equal on paper may differ by roundings.
   constexpr double kEqual = 1e-9;
-  const std::string remedy = "give both the same, or use the form flat";
+  const std::string remedy = "give both the same, or take the form flat";
   ProblemList problems;
   const auto compare = [&](const Place& place, const char* element, const std::string& name, const char* what,
                            double value, const std::string& model_name, double model, const char* unit) {
     if (std::abs(value - model) <= kEqual * std::max(std::abs(value), std::abs(model))) return;
     problems.add({place, pathOfPart(element, name),
-                  fmt::format("has {} {:.10g} {}, \"{}\" has {:.10g} {}; the printed equations know one value", what,
-                              value, unit, model_name, model, unit),
+                  fmt::format("has {} {:.10g} {}, \"{}\" has {:.10g} {}; the printed equations have one value for both",
+                              what, value, unit, model_name, model, unit),
                   remedy});
   };
   const auto compareSuspension = [&](int index, int model_index) {
@@ -234,7 +244,7 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
   if (std::abs(lf - lr) > kEqual * std::max(std::abs(lf), std::abs(lr))) {
     problems.add({vehicle.suspensions[at(layout.secondary[1])].origin, pathOfPart("suspension", behind.name),
                   fmt::format("stands {:.10g} m behind the carbody's centre of gravity, \"{}\" {:.10g} m ahead; the "
-                              "printed equations know one lever arm",
+                              "printed equations have one lever arm for both",
                               lr, ahead.name, lf),
                   remedy});
   }
@@ -245,9 +255,8 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
     problems.add({vehicle.suspensions[at(secondary)].origin, pathOfPart("suspension", suspension.name),
                   fmt::format("ends {:g} m {} the carbody's centre of gravity; the printed equations carry no "
                               "static loads at heights",
-                              std::abs(suspension.height_upper),
-                              suspension.height_upper < 0.0 ? "below" : "above"),
-                  "leave out the heights, or use the form flat"});
+                              std::abs(suspension.height_upper), suspension.height_upper < 0.0 ? "below" : "above"),
+                  "remove the heights, or take the form flat"});
   }
   problems.sortByPlace();
   return problems;

@@ -36,7 +36,7 @@ std::optional<StateSpace> FlatHalf::linear() const {
 }
 
 std::string splitMisfit(const FlatForm& form) {
-  if (form.rhs() == nullptr) return "bounce and pitch part in the consistent equations only; this is a printed variant";
+  if (form.rhs() == nullptr) return "bounce and pitch are independent in the form flat only; this is a printed variant";
   const FlatParameters& v = form.parameters();
   std::string pairs;
   const auto compare = [&](const std::string& one, double a, const std::string& other, double b, const char* unit) {
@@ -53,7 +53,8 @@ std::string splitMisfit(const FlatForm& form) {
     compare("primary damping of wheel 1", v.bp[0], of, v.bp[wheel], "N*s/m");
   }
   if (pairs.empty()) return {};
-  return "bounce and pitch part in a vehicle only whose front and rear are the same to the last bit: " + pairs;
+  return "bounce and pitch are independent only where front and rear of a vehicle are equal, and here they differ: " +
+         pairs;
 }
 
 FlatSplit::FlatSplit(const FlatForm& form)

@@ -68,15 +68,16 @@ void readCouplings(const Vehicle& vehicle, const Topology& topology, FlatTrainRe
     const TopologySuspension& coupling = topology.suspensions[s];
     const auto misfit = [&](std::string message) {
       reading.problems.add({vehicle.suspensions[s].origin, fmt::format("<suspension name=\"{}\">", coupling.name),
-                            std::move(message), "use the form matrix"});
+                            std::move(message), "take the form matrix, which computes any train"});
     };
     const auto [ahead, behind] = std::minmax(place_of.at(coupling.upper), place_of.at(coupling.lower_body));
     if (behind != ahead + 1) {
-      misfit(fmt::format("joins \"{}\" to \"{}\", which do not follow each other; the flat form's vehicles are coupled "
-                         "to their neighbours",
-                         topology.bodies[at(coupling.upper)].name, topology.bodies[at(coupling.lower_body)].name));
+      misfit(fmt::format(
+          "joins \"{}\" to \"{}\", which do not follow each other; the form flat computes couplings between "
+          "neighbours",
+          topology.bodies[at(coupling.upper)].name, topology.bodies[at(coupling.lower_body)].name));
     } else if (layout.couplings[ahead] >= 0) {
-      misfit(fmt::format("stands beside \"{}\" between the same vehicles; the flat form has one coupling there",
+      misfit(fmt::format("stands beside \"{}\" between the same vehicles; the form flat computes one coupling there",
                          topology.suspensions[at(layout.couplings[ahead])].name));
     } else {
       layout.couplings[ahead] = static_cast<int>(s);

@@ -159,7 +159,7 @@ class Choosing {
 
  private:
   std::string reason() {
-    if (ways_.size() == 1) return nameOf(first_) + ": there is no other way";
+    if (ways_.size() == 1) return nameOf(first_) + ": there is no other scheme to try";
     const double guess = guessedRun();
     if (guess * kMostShare < kLeastUseful) return tooShort(guess);
     timeFirst(guess);
@@ -171,7 +171,7 @@ class Choosing {
     }
     timeParts();
     std::vector<std::size_t> promising = mostPromising();
-    if (promising.empty()) return nameOf(first_) + ": no other way can be faster, exchanges included";
+    if (promising.empty()) return nameOf(first_) + ": no other scheme can be faster, exchanges included";
     return tryOut(std::move(promising));
   }
 

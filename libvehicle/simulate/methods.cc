@@ -30,13 +30,21 @@ std::string methodMisfit(const std::string& method, const std::string& form) {
   const bool linear = isLinearForm(form);
   const bool simbody = isSimbodyForm(form);
   if (method == "rk4" || method == "dopri5") return {};
-  if (method == "exact") return linear ? "" : fmt::format("exact needs a linear form; {} is nonlinear", form);
+  if (method == "exact")
+    return linear
+               ? ""
+               : fmt::format(
+                     "the method exact needs a linear form, and {} is nonlinear; take dopri5, or the form mbs-linear",
+                     form);
   if (method == "simbody_rkm") {
-    return simbody ? "" : fmt::format("simbody_rkm integrates Simbody forms; {} is not one", form);
+    return simbody ? ""
+                   : fmt::format(
+                         "the method simbody_rkm runs the forms mbs and mbs-linear, not {}; take another method", form);
   }
   if (isSplitMethod(method)) {
     return form == "flat" ? ""
-                          : fmt::format("{} runs the flat form's bounce and pitch apart; {} has none", method, form);
+                          : fmt::format("the method {} runs the form flat, not {}; take {}", method, form,
+                                        method.substr(0, method.find('_')));
   }
   throw std::invalid_argument(unknownName("method", method, methodNames()));
 }
@@ -51,11 +59,19 @@ std::string splitMethodMisfit(const std::string& method, const System& form) {
   const auto* flat = dynamic_cast<const FlatForm*>(&form);
   const std::string whole = method.substr(0, method.find('_'));
   if (dynamic_cast<const FlatTrain*>(&form) != nullptr) {
-    return fmt::format("{}: couplings tie bounce and pitch of a train's vehicles; take {}", method, whole);
+    return fmt::format("{}: couplings join the bounce and pitch of a train's vehicles; take {}", method, whole);
   }
   if (flat == nullptr) return fmt::format("{}: the form is not the flat one", method);
   const std::string misfit = splitMisfit(*flat);
   return misfit.empty() ? misfit : fmt::format("{}: {}; take {}", method, misfit, whole);
+}
+
+SettingsRead settingsReadBy(const std::string& method) {
+  if (method == "rk4" || method == "rk4_split") return {.step = true};
+  if (method == "dopri5") return {.tolerances = true};
+  if (method == "simbody_rkm") return {.accuracy = true};
+  if (method == "exact" || method == "exact_split") return {};
+  throw std::invalid_argument(unknownName("method", method, methodNames()));
 }
 
 std::string defaultMethod(const std::string& form, int states) {

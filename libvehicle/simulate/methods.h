@@ -46,6 +46,15 @@ struct MethodSettings {
   double simbody = 1e-10;   // simbody_rkm: Simbody's weighted norm
 };
 
+/// Which of the settings a method reads; the others have no effect on its run.
+struct SettingsRead {
+  bool step = false;
+  bool tolerances = false;  // relative and absolute
+  bool accuracy = false;    // of Simbody
+};
+/// @throws std::invalid_argument for a name that does not exist, naming the nearest one
+[[nodiscard]] SettingsRead settingsReadBy(const std::string& method);
+
 /// Why the split methods cannot run this form ("rk4_split: ... the rear one = 9500 kg; take rk4"); empty if they can.
 [[nodiscard]] std::string splitMethodMisfit(const std::string& method, const System& form);
 

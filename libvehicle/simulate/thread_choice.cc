@@ -17,12 +17,14 @@ constexpr const char* kRemedy = "take --threads 1";
 
 std::string whyNotShared(const std::string& form, const std::string& method) {
   if (isSimbodyForm(form)) {
-    return fmt::format("{} cannot be cut into equations: Simbody computes all at once; {}", form, kRemedy);
+    return fmt::format("the form {} runs on one thread: Simbody computes all of its equations together; {}", form,
+                       kRemedy);
   }
   if (method == "dopri5") {
-    return fmt::format("dopri5 is not shared among threads: each of its steps is chosen from the whole state; {}, or "
-                       "method rk4",
-                       kRemedy);
+    return fmt::format(
+        "the method dopri5 runs on one thread: it chooses each step from the whole state; {}, or "
+        "method rk4",
+        kRemedy);
   }
   return {};
 }
@@ -76,7 +78,8 @@ std::string mapMisfit(const std::string& form, const std::string& method, int th
   if (!scheme.empty()) {
     if (sharesEquations(schemeOf(scheme))) return {};
     return fmt::format(
-        "map {} with scheme {}, whose threads have no equations of their own; leave the map away, or take scheme "
+        "--map {} has no effect with the scheme {}, whose threads have no equations of their own; omit --map, or take "
+        "scheme "
         "stages, halo or rows",
         map, scheme);
   }
@@ -84,9 +87,10 @@ std::string mapMisfit(const std::string& form, const std::string& method, int th
   if (std::string why = whyNotShared(form, method); !why.empty()) return why;
   const std::vector<Scheme> schemes = schemesOf(method);
   if (std::any_of(schemes.begin(), schemes.end(), sharesEquations)) return {};
-  return fmt::format("map {} with {}, whose threads have no equations of their own; leave the map away, or take "
-                     "method rk4 or exact",
-                     map, method);
+  return fmt::format(
+      "--map {} has no effect with the method {}, whose threads have no equations of their own; omit --map, or take "
+      "method rk4 or exact",
+      map, method);
 }
 
 }  // namespace vehicle

@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/storage/file_identity.h"
 
 namespace vehicle {
 
 namespace fs = std::filesystem;
 
-AtomicFile::AtomicFile(const fs::path& path) : shown_(path.string()), target_(path) {
+AtomicFile::AtomicFile(const fs::path& path) : shown_(path.string()), target_(followed(path)) {
   std::error_code ignored;
-  if (fs::is_symlink(path, ignored)) target_ = fs::weakly_canonical(path, ignored);
   const fs::file_status status = fs::status(target_, ignored);
   if (fs::is_directory(status)) fail("cannot be written", EISDIR, "name a file in it");
   if (fs::exists(status) && !fs::is_regular_file(status)) {
@@ -55,12 +55,17 @@ void AtomicFile::write(std::string_view bytes) {
   }
 }
 
-void AtomicFile::publish() {
+void AtomicFile::finish() {
+  if (descriptor_ < 0) return;
   // The data must be on the disk before the name points at them, or a power cut leaves an empty file under it.
   if (::fsync(descriptor_) != 0) fail("cannot be flushed", errno, "the file that stood there before is unchanged");
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
   if (closed != 0) fail("cannot be closed", errno, "the file that stood there before is unchanged");
+}
+
+void AtomicFile::publish() {
+  finish();
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot be renamed into place", errno);
   temporary_.clear();
 

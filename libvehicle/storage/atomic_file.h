@@ -11,7 +11,7 @@ namespace vehicle {
 /// atomic, so a reader, and whoever looks after a crash or a kill, sees the old file or the new one. A killed
 /// process may leave its temporary file behind, never half a result.
 ///
-/// A symbolic link is followed: the file that it names is replaced, not the link.
+/// A symbolic link is followed: the file that it names is replaced or made, not the link.
 class AtomicFile {
  public:
   /// @throws RunFailed if the folder is missing or may not be written, or `path` is no regular file; names the path
@@ -26,7 +26,11 @@ class AtomicFile {
   /// @throws RunFailed (disk full, file too large, ...)
   void write(std::string_view bytes);
 
-  /// Flushes and renames; nothing may be written afterwards.
+  /// Flushes to the disk and closes; nothing may be written afterwards. Called for several files before the first is
+  /// published, it leaves nothing that may fail but the renaming.
+  /// @throws RunFailed
+  void finish();
+  /// Finishes and renames.
   /// @throws RunFailed; the old file then stands
   void publish();
 

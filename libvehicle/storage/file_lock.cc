@@ -29,6 +29,7 @@ FileLock::FileLock(const std::filesystem::path& path) : lock_(path) {
       if (error == EWOULDBLOCK) {
         throw RunFailed(fmt::format("{}: another process is writing it; wait for its end", path.string()));
       }
+      ::unlink(lock_.c_str());  // nobody can hold it where there are no locks
       throw RunFailed(fmt::format("{}: cannot be locked: {}", path.string(), std::generic_category().message(error)));
     }
     // Whoever held the lock before may have removed the file after we opened it: then we hold nothing.

@@ -27,4 +27,7 @@ void writeHdf5(const RunRecord& record, const std::filesystem::path& path);
 /// different lengths, values that are not finite.
 [[nodiscard]] Outcome<RunRecord> readHdf5(const std::filesystem::path& path);
 
+/// Whether a file has the groups that writeHdf5 writes; columns are not read.
+[[nodiscard]] bool isHdf5Run(const std::filesystem::path& path);
+
 }  // namespace vehicle

@@ -5,16 +5,17 @@
 #include <fmt/format.h>
 
 #include "libvehicle/storage/csv.h"
+#include "libvehicle/storage/file_identity.h"
 #include "libvehicle/storage/hdf5.h"
 
 namespace vehicle {
 
 HistoryFormat historyFormatOf(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension == ".csv") return HistoryFormat::kCsv;
-  if (extension == ".h5") return HistoryFormat::kHdf5;
-  throw std::invalid_argument(
-      fmt::format("{}: extension \"{}\" is unknown; name it .csv (text) or .h5 (HDF5)", path.string(), extension));
+  const std::string ending = endingOf(path);
+  if (ending == ".csv") return HistoryFormat::kCsv;
+  if (ending == ".h5") return HistoryFormat::kHdf5;
+  throw std::invalid_argument(fmt::format("{}: extension \"{}\" is unknown; name it .csv (text) or .h5 (HDF5)",
+                                          path.string(), path.extension().string()));
 }
 
 void writeHistory(const std::filesystem::path& path, const RunRecord& record) {

@@ -11,7 +11,7 @@ enum class HistoryFormat {
   kHdf5
 };
 
-/// By the extension: .csv or .h5. Asked before a run, so that a wrong name costs no waiting.
+/// By the extension, in any letter case: .csv or .h5. Asked before a run, so that a wrong name costs no waiting.
 /// @throws std::invalid_argument naming the path and both extensions
 [[nodiscard]] HistoryFormat historyFormatOf(const std::filesystem::path& path);
 

@@ -1,10 +1,22 @@
 #include "libvehicle/storage/sqlite_handle.h"
 
+#include <filesystem>
 #include <system_error>
 
 namespace vehicle {
 
-SqliteConnection::SqliteConnection(const std::string& name, int flags) {
+namespace {
+
+/// SQLite may be built to read "file:a.sqlite" as a URI and reads ":memory:" as no file at all; an absolute path is
+/// neither.
+std::string nameFor(const std::string& path, int flags) {
+  return (flags & SQLITE_OPEN_URI) != 0 ? path : std::filesystem::absolute(path).string();
+}
+
+}  // namespace
+
+SqliteConnection::SqliteConnection(const std::string& path, int flags) {
+  const std::string name = nameFor(path, flags);
   const int code = sqlite3_open_v2(name.c_str(), &handle_, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   if (code != SQLITE_OK) {
     SqliteError error{code, sqlite3_errstr(code)};

@@ -17,9 +17,10 @@ struct SqliteError {
 
 class SqliteConnection {
  public:
+  /// @param path   of the file; with SQLITE_OPEN_URI among the flags a URI
   /// @param flags  SQLITE_OPEN_...
   /// @throws SqliteError
-  SqliteConnection(const std::string& name, int flags);
+  SqliteConnection(const std::string& path, int flags);
   ~SqliteConnection() { sqlite3_close_v2(handle_); }
   SqliteConnection(const SqliteConnection&) = delete;
   SqliteConnection& operator=(const SqliteConnection&) = delete;

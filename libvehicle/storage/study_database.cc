@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -12,8 +13,12 @@
 
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/storage/database_files.h"
+#include "libvehicle/storage/file_identity.h"
+#include "libvehicle/storage/output_kind.h"
 #include "libvehicle/storage/study_changes.h"
 #include "libvehicle/storage/study_open.h"
+#include "libvehicle/storage/study_refusal.h"
 #include "libvehicle/storage/study_tables.h"
 
 namespace vehicle {
@@ -57,36 +62,18 @@ std::string immutableUri(const fs::path& path) {
 }
 
 /// Asks for what a file must hold to be a study.
-/// @throws RunFailed, SqliteError
+/// @throws InvalidInput, SqliteError
 StudyRecord recordIn(SqliteConnection& connection, const std::string& shown) {
   const std::string why = whyNoStudy(connection);
-  if (!why.empty()) throw RunFailed(fmt::format("{}: {}", shown, why));
+  if (!why.empty()) refuseDatabase(shown, why, "name a database that this program's `vehicle study --output` wrote");
   return readStudyTables(connection);
-}
-
-[[noreturn]] void failOpening(const std::string& shown, const SqliteError& error) {
-  if ((error.code & 0xff) == SQLITE_NOTADB) throw RunFailed(shown + ": holds no study: it is no SQLite file");
-  if ((error.code & 0xff) == SQLITE_CORRUPT) {
-    throw RunFailed(fmt::format("{}: is damaged ({}); go on with a copy, or begin a new study", shown, error.reason));
-  }
-  throw RunFailed(fmt::format("{}: cannot be opened: {}", shown, error.reason));
-}
-
-void requireFile(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_regular_file(status)) return;
-  const char* why = !fs::exists(status)        ? "there is no such file"
-                    : fs::is_directory(status) ? "it is a folder"
-                                               : "it is a device or pipe";
-  throw RunFailed(fmt::format("{}: cannot be opened: {}", path.string(), why));
 }
 
 /// SQLite would play the log of a study that has been removed into the next one of its name.
 void removeLogsOf(const fs::path& path) {
-  for (const char* ending : {"-wal", "-shm", "-journal"}) {
-    fs::path log = path;
-    log += ending;
+  for (const std::string_view ending : kCompanionEndings) {
+    if (ending == "-lock") continue;  // held by us
+    const fs::path log = companionOf(path, ending);
     std::error_code error;
     fs::remove(log, error);
     if (error) throw RunFailed(fmt::format("{}: cannot be removed: {}", log.string(), error.message()));
@@ -101,43 +88,62 @@ void requireSound(SqliteConnection& connection, const std::string& shown) {
   std::string_view finding = check.text(0);
   if (finding == "ok") return;
   finding.remove_prefix(finding.rfind('\n') + 1);  // above it stands which database
-  throw RunFailed(fmt::format("{}: is damaged ({}); go on with a copy, or begin a new study", shown, finding));
+  refuseDatabase(shown, fmt::format("is damaged ({})", finding), "go on with a copy, or begin a new study");
 }
 
+/// A file of SQLite's under a passing name, gone with all that SQLite puts beside it unless it has been renamed.
+class PassingDatabase {
+ public:
+  explicit PassingDatabase(fs::path path) : path_(std::move(path)) { remove(); }
+  ~PassingDatabase() { remove(); }
+  PassingDatabase(const PassingDatabase&) = delete;
+  PassingDatabase& operator=(const PassingDatabase&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  void remove() const {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+    for (const std::string_view ending : kCompanionEndings) fs::remove(companionOf(path_, ending), ignored);
+  }
+  fs::path path_;
+};
+
 /// Builds the file under another name, so that it is there at once and whole.
-void writeNewFile(const fs::path& path, const StudyRecord& record) {
-  const std::string shown = path.string();
-  fs::path temporary = path;
-  temporary += fmt::format(".{}.vehicle-tmp", ::getpid());
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
+void writeNewFile(const fs::path& path, const std::string& shown, const StudyRecord& record) {
+  fs::path name = path;
+  name += fmt::format(".{}.vehicle-tmp", ::getpid());
+  const PassingDatabase temporary(name);
   try {
-    SqliteConnection connection(temporary.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    SqliteConnection connection(name.string(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     // Nobody knows the file before it has its name: no journal is needed to undo anything.
     connection.run(
         fmt::format("PRAGMA page_size={}; PRAGMA journal_mode=OFF; PRAGMA synchronous=FULL; BEGIN;", kPageBytes));
     writeStudyTables(connection, record);
     connection.run("COMMIT; PRAGMA journal_mode=WAL;");
   } catch (const SqliteError& error) {
-    fs::remove(temporary, ignored);
     throw RunFailed(fmt::format("{}: cannot be written: {}; its folder must exist, be writable and have room", shown,
                                 error.reason));
-  } catch (...) {
-    fs::remove(temporary, ignored);
-    throw;
   }
-  try {
-    removeLogsOf(path);
-  } catch (...) {
-    fs::remove(temporary, ignored);
-    throw;
-  }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) {
-    const std::string reason = std::generic_category().message(errno);
-    fs::remove(temporary, ignored);
-    throw RunFailed(fmt::format("{}: cannot be renamed into place: {}", shown, reason));
+  removeLogsOf(path);
+  if (::rename(name.c_str(), path.c_str()) != 0) {
+    throw RunFailed(fmt::format("{}: cannot be renamed into place: {}", shown, std::generic_category().message(errno)));
   }
   flushFolderOf(path);
+}
+
+/// Moves what stands in the log of a database that is to be replaced into the file, so that a crash before the new one
+/// has its name leaves the old one whole. One that is damaged has nothing to be kept.
+/// @throws RunFailed  another program is writing it
+void settleOld(const fs::path& path, const std::string& shown) {
+  try {
+    SqliteConnection old(path.string(), SQLITE_OPEN_READWRITE);
+    old.run("BEGIN IMMEDIATE; ROLLBACK; PRAGMA wal_checkpoint(TRUNCATE);");
+  } catch (const SqliteError& error) {
+    const int code = error.code & 0xff;
+    if (code != SQLITE_BUSY && code != SQLITE_LOCKED) return;
+    throw RunFailed(fmt::format("{}: another process is writing it; wait for its end", shown));
+  }
 }
 
 }  // namespace
@@ -148,9 +154,10 @@ StudyDatabase::~StudyDatabase() = default;
 
 const StudyRecord& StudyDatabase::record() const { return open_->record; }
 
-StudyDatabase StudyDatabase::forWriting(const fs::path& path, std::unique_ptr<FileLock> lock) {
+StudyDatabase StudyDatabase::forWriting(const fs::path& path, const std::string& shown,
+                                        std::unique_ptr<FileLock> lock) {
   auto open = std::make_unique<Open>();
-  open->shown = path.string();
+  open->shown = shown;
   open->lock = std::move(lock);
   if (::access(path.c_str(), W_OK) != 0) {
     throw RunFailed(fmt::format("{}: cannot be written: {}", open->shown, std::generic_category().message(errno)));
@@ -166,7 +173,7 @@ StudyDatabase StudyDatabase::forWriting(const fs::path& path, std::unique_ptr<Fi
     for (std::size_t i = 0; i < open->record.parameters.size() + open->record.metrics.size(); ++i) insert += ",?";
     open->insert = std::make_unique<SqliteStatement>(*open->connection, insert + ")");
   } catch (const SqliteError& error) {
-    failOpening(open->shown, error);
+    refuseReading(open->shown, error);
   }
   return StudyDatabase(std::move(open));
 }
@@ -174,29 +181,44 @@ StudyDatabase StudyDatabase::forWriting(const fs::path& path, std::unique_ptr<Fi
 StudyDatabase StudyDatabase::create(const fs::path& path, const StudyRecord& record) {
   requireDistinct(record);
   requireRoom(record);
-  auto lock = std::make_unique<FileLock>(path);
+  const fs::path target = followed(path);
+  auto lock = std::make_unique<FileLock>(target);
   std::error_code ignored;
-  if (fs::symlink_status(path, ignored).type() != fs::file_type::not_found) {
+  if (fs::exists(target, ignored) && !(fs::is_regular_file(target, ignored) && fs::is_empty(target, ignored))) {
     throw RunFailed(fmt::format("{}: exists already; go on with it, remove it, or name another file", path.string()));
   }
-  writeNewFile(path, record);
-  return forWriting(path, std::move(lock));
+  writeNewFile(target, path.string(), record);
+  return forWriting(target, path.string(), std::move(lock));
+}
+
+StudyDatabase StudyDatabase::replace(const fs::path& path, const StudyRecord& record) {
+  if (!isOurs(path, OutputKind::kDatabase)) return create(path, record);
+  requireDistinct(record);
+  requireRoom(record);
+  const fs::path target = followed(path);
+  auto lock = std::make_unique<FileLock>(target);
+  settleOld(target, path.string());
+  writeNewFile(target, path.string(), record);
+  return forWriting(target, path.string(), std::move(lock));
 }
 
 StudyDatabase StudyDatabase::resume(const fs::path& path, const StudyRecord& now) {
-  requireFile(path);
-  StudyDatabase database = forWriting(path, std::make_unique<FileLock>(path));
-  requireSameStudy(database.record(), now, path.string());
+  requireDatabaseFile(path);
+  const fs::path target = followed(path);
+  StudyDatabase database = forWriting(target, path.string(), std::make_unique<FileLock>(target));
+  if (ProblemList changes = changesOf(database.record(), now, path.string()); !changes.empty()) {
+    throw InvalidInput(std::move(changes));
+  }
   try {
     requireSound(*database.open_->connection, path.string());
   } catch (const SqliteError& error) {
-    failOpening(path.string(), error);
+    refuseReading(path.string(), error);
   }
   return database;
 }
 
 StudyDatabase StudyDatabase::read(const fs::path& path) {
-  requireFile(path);
+  requireDatabaseFile(path);
   auto open = std::make_unique<Open>();
   open->shown = path.string();
   try {
@@ -209,16 +231,15 @@ StudyDatabase StudyDatabase::read(const fs::path& path) {
     // A folder that may not be written has no place for the index of the write-ahead log. Where no log is left over,
     // nobody is writing and the file alone is the whole study.
     const int code = error.code & 0xff;
-    fs::path log = path;
-    log += "-wal";
+    const fs::path log = companionOf(path, "-wal");
     std::error_code ignored;
     if ((code != SQLITE_CANTOPEN && code != SQLITE_READONLY) || fs::exists(log, ignored))
-      failOpening(open->shown, error);
+      refuseReading(open->shown, error);
     try {
       open->connection = std::make_unique<SqliteConnection>(immutableUri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
       open->record = recordIn(*open->connection, open->shown);
     } catch (const SqliteError& second) {
-      failOpening(open->shown, second);
+      refuseReading(open->shown, second);
     }
   }
   return StudyDatabase(std::move(open));

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "libvehicle/storage/study_record.h"
@@ -23,21 +24,24 @@ namespace vehicle {
 /// else. One process writes at a time (file_lock.h); others may read meanwhile. An object is for one thread.
 class StudyDatabase {
  public:
-  /// A new file, there at once and whole.
+  /// A new file, there at once and whole; one that is there already may be empty.
   /// @throws RunFailed     the file exists already, or cannot be written; names the path and the system's reason
   /// @throws InvalidInput  the study has too many columns
   /// @throws std::invalid_argument  two columns of the same name
   [[nodiscard]] static StudyDatabase create(const std::filesystem::path& path, const StudyRecord& record);
 
+  /// The same in the place of an old study, whatever that holds.
+  /// @throws RunFailed     as create(), or another process is writing it
+  [[nodiscard]] static StudyDatabase replace(const std::filesystem::path& path, const StudyRecord& record);
+
   /// Opens a file to go on with the same study.
-  /// @throws InvalidInput  the study is another one: one problem for each line of an input file that has changed (20
-  ///                       at most), at its place in the file as it is now
-  /// @throws RunFailed     no file, no study in it, damaged, written by another program, or not writable
+  /// @throws InvalidInput  no file, no study in it, or damaged; the study is another one (study_changes.h)
+  /// @throws RunFailed     it is being written by another process, or not writable
   [[nodiscard]] static StudyDatabase resume(const std::filesystem::path& path, const StudyRecord& now);
 
   /// Opens a file to look at it; works in folders that may not be written. Where they may, what a killed program has
   /// left in the log is moved into the file.
-  /// @throws RunFailed
+  /// @throws InvalidInput  no file, no study in it, or damaged
   [[nodiscard]] static StudyDatabase read(const std::filesystem::path& path);
 
   StudyDatabase(StudyDatabase&&) noexcept;
@@ -49,7 +53,7 @@ class StudyDatabase {
   /// Number of designs stored.
   [[nodiscard]] std::uint64_t stored() const;
   /// What is still to be evaluated, in rising order.
-  /// @throws RunFailed  a design is stored that the study does not have: the file is damaged
+  /// @throws InvalidInput  a design is stored that the study does not have: the file is damaged
   [[nodiscard]] std::vector<DesignRange> missing() const;
 
   /// Stores all designs of the batch, or none of them. Batches of about 10 000 designs cost least.
@@ -73,7 +77,8 @@ class StudyDatabase {
  private:
   struct Open;
   explicit StudyDatabase(std::unique_ptr<Open> open);
-  static StudyDatabase forWriting(const std::filesystem::path& path, std::unique_ptr<class FileLock> lock);
+  static StudyDatabase forWriting(const std::filesystem::path& path, const std::string& shown,
+                                  std::unique_ptr<class FileLock> lock);
   std::unique_ptr<Open> open_;
 };
 

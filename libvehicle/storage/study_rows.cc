@@ -8,6 +8,7 @@
 #include "libvehicle/storage/atomic_file.h"
 #include "libvehicle/storage/csv_text.h"
 #include "libvehicle/storage/study_open.h"
+#include "libvehicle/storage/study_refusal.h"
 
 // Designs into the database and out of it.
 namespace vehicle {
@@ -46,7 +47,7 @@ std::uint64_t StudyDatabase::stored() const {
     count.step();
     return static_cast<std::uint64_t>(count.integer(0));
   } catch (const SqliteError& error) {
-    open_->fail("cannot be read", error);
+    refuseReading(open_->shown, error);
   }
 }
 
@@ -61,14 +62,14 @@ std::vector<DesignRange> StudyDatabase::missing() const {
     while (ids.step()) {
       const auto id = static_cast<std::uint64_t>(ids.integer(0));
       if (id < next || id >= open_->record.designs) {
-        throw RunFailed(fmt::format("{}: is damaged: it holds design {} of {}; go on with a copy, or begin a new study",
-                                    open_->shown, id, open_->record.designs));
+        refuseDatabase(open_->shown, fmt::format("is damaged: it holds design {} of {}", id, open_->record.designs),
+                       "go on with a copy, or begin a new study");
       }
       gapTo(id);
       next = id + 1;
     }
   } catch (const SqliteError& error) {
-    open_->fail("cannot be read", error);
+    refuseReading(open_->shown, error);
   }
   gapTo(open_->record.designs);
   return ranges;
@@ -134,7 +135,7 @@ void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visi
       if (!visit(design)) return;
     }
   } catch (const SqliteError& error) {
-    open_->fail("cannot be read", error);
+    refuseReading(open_->shown, error);
   }
 }
 

@@ -124,7 +124,9 @@ StudyRecord recordOf(const DesignPlan& plan, const StudyTarget& target) {
 
 StudyDatabase openOrCreate(const StudyTarget& target, const StudyRecord& record) {
   const bool goes_on = target.resume && std::filesystem::exists(target.database);
-  return goes_on ? StudyDatabase::resume(target.database, record) : StudyDatabase::create(target.database, record);
+  if (goes_on) return StudyDatabase::resume(target.database, record);
+  return target.overwrite ? StudyDatabase::replace(target.database, record)
+                          : StudyDatabase::create(target.database, record);
 }
 
 StudyOutcome runStudy(const StudyInputs& inputs, const DesignPlan& plan, const StudyTarget& target, Executor& executor,

@@ -50,13 +50,14 @@ struct StudyTarget {
   bool resume = false;            // go on with the file if it is there
   std::string program;            // name and version, kept in the file
   std::vector<InputFile> inputs;  // the study file first, as they were read
+  bool overwrite = false;         // begin anew where the file is a study already
 };
 
 /// What a study's database says of itself.
 [[nodiscard]] StudyRecord recordOf(const DesignPlan& plan, const StudyTarget& target);
 
 /// The target's database: with `resume` an old one if it is there, else a new one.
-/// @throws InvalidInput, RunFailed  as StudyDatabase::resume() and create()
+/// @throws InvalidInput, RunFailed  as StudyDatabase::resume(), replace() and create()
 [[nodiscard]] StudyDatabase openOrCreate(const StudyTarget& target, const StudyRecord& record);
 
 /// Runs the designs of a plan: a new database, or with `resume` an old one of the same study, of which only what is

@@ -9,9 +9,9 @@ namespace vehicle {
 
 void requireDense(const char* who, int states) {
   if (states <= kMostDenseStates) return;
-  throw std::invalid_argument(std::string(who) + ": matrices of " + std::to_string(states) +
-                              " states are not made, only up to " + std::to_string(kMostDenseStates) +
-                              "; integrate by rk4 or dopri5, which need none");
+  throw std::invalid_argument("the form " + std::string(who) + " has " + std::to_string(states) +
+                              " states here, and its matrices are formed for at most " +
+                              std::to_string(kMostDenseStates) + "; take the method rk4 or dopri5, which need none");
 }
 
 StateSpace differencedStateSpace(const System& system, std::span<const double> x0, std::span<const double> u0,

@@ -94,8 +94,9 @@ AttributeReading readInteger(const AttributeRow& row, std::string_view text) {
 }
 
 AttributeReading readChoice(const AttributeRow& row, std::string_view text) {
-  const int index = indexOf(text, row.choices);
-  if (index >= 0) return {index, "", ""};
+  for (const std::vector<std::string>* words : {&row.choices, &row.spellings}) {
+    if (const int index = indexOf(text, *words); index >= 0) return {index, "", ""};
+  }
   const auto nearest = suggestion(text, row.choices);
   return {nearest ? indexOf(*nearest, row.choices) : 0,
           fmt::format("{} is none of {}", written(row, text), listed(row.choices)), chooseRemedy(text, row.choices)};

@@ -67,6 +67,8 @@ FileSource::FileSource(const std::map<std::string, std::string>& texts) : reads_
   for (const auto& [path, text] : texts) known_[keyOf(path)] = {text, {}};
 }
 
+void FileSource::hold(const std::string& path, std::string text) { known_[keyOf(path)] = {std::move(text), {}}; }
+
 const Outcome<std::string>& FileSource::text(const std::string& path) {
   const auto [known, is_new] = known_.try_emplace(keyOf(path));
   if (is_new) {

@@ -18,6 +18,9 @@ class FileSource {
   /// @param texts  by path; a path leads to the same text however it is spelt ("a/../b.xml")
   explicit FileSource(const std::map<std::string, std::string>& texts);
 
+  /// Holds a text under a name from now on, as if it had been read from there (standard input has no path).
+  void hold(const std::string& path, std::string text);
+
   /// The text of a file, or the problem that prevented reading it. Valid as long as the source.
   [[nodiscard]] const Outcome<std::string>& text(const std::string& path);
 

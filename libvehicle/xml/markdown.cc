@@ -68,7 +68,8 @@ std::string valueOf(const AttributeRow& row) {
     case ValueKind::kInteger:
       return "whole number";
     case ValueKind::kChoice:
-      return fmt::format("`{}`", joined(row.choices, "`, `"));
+      return fmt::format("`{}`{}", joined(row.choices, "`, `"),
+                         row.spellings.empty() ? "" : fmt::format(" (or `{}`)", joined(row.spellings, "`, `")));
     case ValueKind::kChoiceList:
       break;
   }

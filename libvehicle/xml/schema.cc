@@ -20,6 +20,12 @@ AttributeRow AttributeRow::orElse(std::string text) const {
   return row;
 }
 
+AttributeRow AttributeRow::alsoWritten(std::vector<std::string> words) const {
+  AttributeRow row = *this;
+  row.spellings = std::move(words);
+  return row;
+}
+
 AttributeRow AttributeRow::standingFor(std::vector<std::string> names) const {
   AttributeRow row = *this;
   row.sets = std::move(names);

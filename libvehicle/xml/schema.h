@@ -61,6 +61,7 @@ struct AttributeRow {
   int least = 0;                             // of a kInteger
   int most = 0;                              // of a kInteger
   std::vector<std::string> choices;          // of kChoice and kChoiceList; the index is the enumerator's value
+  std::vector<std::string> spellings;        // of kChoice: each choice as others spell it; read and never written
   std::string fallback;                      // value where the attribute is not given, as a file would say it
   std::vector<std::string> sets;             // attributes that this one stands for (`z` for both ends)
 
@@ -70,6 +71,7 @@ struct AttributeRow {
   /// The same row with one thing changed, so that a table line reads as a sentence.
   [[nodiscard]] AttributeRow asRequired() const;
   [[nodiscard]] AttributeRow orElse(std::string text) const;
+  [[nodiscard]] AttributeRow alsoWritten(std::vector<std::string> words) const;
   [[nodiscard]] AttributeRow standingFor(std::vector<std::string> names) const;
 };
 

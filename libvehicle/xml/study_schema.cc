@@ -51,8 +51,8 @@ ElementRow planRow() {
               .asRequired(),
           integer<&Plan::size>("size", 1, kMostDesigns, "designs of a plan that samples"),
           integer<&Plan::seed>("seed", 0, kMostDesigns,
-                               "another seed, another sample; sobol takes 0 for its plain sequence")
-              .orElse("1"),
+                               "of a plan that samples, without it 1: another seed, another sample; sobol and saltelli "
+                               "take 0 for the plain sequence"),
           bound<&Plan::file>("file", ValueKind::kFile,
                              "of a list: header PARAMETER [UNIT],..., counted from the folder of this file"),
       });
@@ -102,7 +102,7 @@ ElementRow studyRow() {
           name<&Study::name>("what reports call it"),
           format(),
           quantity<&Study::settle>("settle", Dimension::kTime, Sign::kNotNegative,
-                                   "start of each run that the metrics leave out")
+                                   "start of each run that the metrics leave out; a steady state has none")
               .orElse("0 s"),
           choice<&Study::evaluation>("evaluation", {"run", "steady_state"},
                                      "a run over the scenario, or the periodic motion under harmonics in closed form")
@@ -129,7 +129,9 @@ ElementRow studyRow() {
               R"(<objective metric="carbody.az.rms" goal="minimise"/>)",
               {
                   words<&Objective::metric>("metric", "a metric of this study").asRequired(),
-                  choice<&Objective::goal>("goal", {"minimise", "maximise"}, "which way is better").asRequired(),
+                  choice<&Objective::goal>("goal", {"minimise", "maximise"}, "which way is better")
+                      .alsoWritten({"minimize", "maximize"})
+                      .asRequired(),
                   choice<&Objective::over>("over", {"worst", "mean"}, "how speeds and scenarios become one value")
                       .orElse("worst"),
               }),

@@ -125,7 +125,9 @@ class XsdWriter {
 
   static std::string choices(const AttributeRow& row) {
     std::string out = "<xs:restriction base=\"xs:string\">";
-    for (const std::string& choice : row.choices) out += fmt::format("<xs:enumeration value=\"{}\"/>", choice);
+    for (const std::vector<std::string>* words : {&row.choices, &row.spellings}) {
+      for (const std::string& choice : *words) out += fmt::format("<xs:enumeration value=\"{}\"/>", choice);
+    }
     return out + "</xs:restriction>";
   }
 

@@ -1,4 +1,5 @@
 // What is wrong with a study, its command or its files, as the user is told.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -33,22 +34,30 @@ TEST(StudyCommand, WhatTheCommandLineLacksOrHasTooMuchIsTold) {
   const std::string to = folder.path("to.sqlite");
   expectRefusals({
       {{"study"}, 2, "vehicle study: STUDY|show is missing; see vehicle study --help\n"},
-      {{"study", study}, 2,
+      {{"study", study},
+       2,
        "vehicle: study: --output is missing, e.g. --output study.sqlite: every design is kept there\n"},
-      {{"study", study, "more.xml", "--output", to}, 2,
+      {{"study", study, "more.xml", "--output", to},
+       2,
        "vehicle: study: \"more.xml\" is one file too many; only `study show` takes a second\n"},
-      {{"study", study, "--output", there}, 2,
-       "vehicle: --output: " + there + " exists already; go on with it by --resume, or name another file\n"},
-      {{"study", study, "--output", folder.root().string()}, 2,
-       "vehicle: --output: " + folder.root().string() + " is a folder; name a file in it\n"},
-      {{"study", study, "--output", to, "--jobs", "0"}, 2,
+      {{"study", study, "--output", there},
+       2,
+       "vehicle: --output: " + there +
+           " exists already; go on with it by --resume, begin it anew by --overwrite, or "
+           "name another file\n"},
+      {{"study", study, "--output", folder.root().string()},
+       2,
+       "vehicle: --output " + folder.root().string() + ": extension \"\" is unknown; name it .sqlite (SQLite)\n"},
+      {{"study", study, "--output", to, "--jobs", "0"},
+       2,
        "vehicle study: --jobs: \"0\" must be a whole number 1..1024; see vehicle study --help\n"},
-      {{"study", study, "--outptu", to}, 2,
+      {{"study", study, "--outptu", to},
+       2,
        "vehicle study: option \"--outptu\" is unknown; did you mean \"--output\"?\n"},
       {{"study", "show"}, 2, "vehicle: study show: DATABASE is missing\n"},
-      {{"study", "show", there, "--output", to}, 2,
-       "vehicle: study show reads only; leave out --output and --resume\n"},
-      {{"study", "show", there, "--resume"}, 2, "vehicle: study show reads only; leave out --output and --resume\n"},
+      {{"study", "show", there, "--output", to},
+       2,
+       "vehicle: --output has no effect: study show evaluates nothing; omit it\n"},
   });
   EXPECT_EQ(textOf(there), "mine");
   EXPECT_FALSE(std::filesystem::exists(to));
@@ -66,17 +75,69 @@ TEST(StudyCommand, ADatabaseThatCannotBeShownIsNamedWithTheReason) {
     file.put(9);
   }
   const std::string none = folder.path("none.sqlite");
+  const std::string text = folder.file("text.sqlite", "no database");
+  const std::string no_sqlite =
+      ": error: holds no study: it is no SQLite file; name a database that `vehicle study --output` wrote\n";
+  const std::string of_format_9 =
+      ": error: holds a study in format 9, this program reads format 1; name a database that this program's `vehicle "
+      "study --output` wrote\n";
   const std::string where = folder.root().string();
   expectRefusals({
-      {{"study", "show", study}, 3, "vehicle: " + study + ": holds no study: it is no SQLite file\n"},
-      {{"study", "show", none}, 3, "vehicle: " + none + ": cannot be opened: there is no such file\n"},
-      {{"study", "show", where}, 3, "vehicle: " + where + ": cannot be opened: it is a folder\n"},
-      {{"study", "show", newer}, 3,
-       "vehicle: " + newer + ": holds a study in format 9, this program reads format 1\n"},
-      {{"study", study, "--output", newer, "--resume"}, 3,
-       "vehicle: " + newer + ": holds a study in format 9, this program reads format 1\n"},
-      {{"study", study, "--output", study, "--resume"}, 3,
-       "vehicle: " + study + ": holds no study: it is no SQLite file\n"},
+      {{"study", "show", study}, 1, study + no_sqlite},
+      {{"study", "show", none},
+       1,
+       none + ": error: cannot be read: No such file or directory; check the name of the "
+              "file\n"},
+      {{"study", "show", where}, 1, where + ": error: is a folder; name a file in it\n"},
+      {{"study", "show", newer}, 1, newer + of_format_9},
+      {{"study", study, "--output", newer, "--resume"}, 1, newer + of_format_9},
+      {{"study", study, "--output", text, "--resume"}, 1, text + no_sqlite},
+  });
+}
+
+TEST(StudyCommand, ADamagedDatabaseIsAWrongInput) {
+  const TestFolder folder;
+  const std::string study = smallStudyIn(folder);
+  const std::string database = folder.path("study.sqlite");
+  ASSERT_EQ(runVehicle({"study", study, "--output", database}).status, 0);
+  const std::string whole = textOf(database);
+  std::string cut = whole.substr(0, whole.size() / 2);
+  std::string scribbled = whole;
+  // Behind the header of the first page every byte of the schema.
+  std::fill(scribbled.begin() + 100, scribbled.end(), 'x');
+  for (const std::string& damaged : {cut, scribbled}) {
+    folder.file("study.sqlite", damaged);
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"study", "show", database}, {"study", study, "--output", database, "--resume"}}) {
+      const ProgramRun run = runVehicle(words);
+      EXPECT_EQ(run.status, 1) << run.err;
+      EXPECT_TRUE(run.err.starts_with(database + ": error: ")) << run.err;
+      EXPECT_EQ(linesOf(run.err).size(), 1u) << run.err;
+    }
+    EXPECT_TRUE(textOf(database) == damaged);
+  }
+}
+
+TEST(StudyCommand, ADatabaseOfAnotherStudyIsSaidInOneLineWithItsTruePath) {
+  const TestFolder folder;
+  const std::string study = smallStudyIn(folder);
+  const std::string database = folder.path("study.sqlite");
+  ASSERT_EQ(runVehicle({"study", study, "--output", database}).status, 0);
+  folder.file("sub/v.xml", with(smallVehicle(), "10 t", "11 t"));
+  folder.file("sub/s.xml", textOf(folder.path("s.xml")));
+  const std::string other = folder.file("sub/study.xml", with(smallStudy(), "name=\"springs\"", "name=\"dampers\""));
+  const std::string same = folder.file("sub/same.xml", smallStudy());
+  expectRefusals({
+      {{"study", other, "--output", database, "--resume"},
+       1,
+       database + ": error: holds the study \"springs\", and " + other +
+           " is the study \"dampers\"; name the database " + "of this study, or another file for a new one\n"},
+      {{"study", same, "--output", database, "--resume"},
+       1,
+       folder.path("sub/v.xml") + ":3: error: changed since " + database + " was begun: the line was \"  <body " +
+           "name=\"carbody\" mass=\"10 t\" motion=\"z\"/>\" and is now \"  <body name=\"carbody\" mass=\"11 t\" " +
+           "motion=\"z\"/>\"\n" + database +
+           ": error: holds designs of the study as it was; bring the files back, or " + "write to a new file\n"},
   });
 }
 

@@ -46,13 +46,13 @@ TEST(ThreadOptions, WhatIsWrongIsToldInOneLineWithStatusTwo) {
       {with("simulate", {"--scheme", "stage"}),
        "vehicle simulate: --scheme: \"stage\" is unknown; did you mean \"stages\"?" + see},
       {with("simulate", {"--method", "rk4", "--scheme", "stages", "--map", "paper", "--threads", "3"}),
-       "vehicle: map paper is the source paper's four threads for one vehicle of four equations; here are 3 threads; "
-       "take 4, or map auto or body\n"},
+       "vehicle: map paper divides the four equations of the source paper's vehicle among four threads; here are 3 "
+       "threads; take 4, or map auto or body\n"},
       {with("simulate", {"--form", "mbs", "--threads", "2"}),
-       "vehicle: mbs cannot be cut into equations: Simbody computes all at once; take --threads 1\n"},
+       "vehicle: the form mbs runs on one thread: Simbody computes all of its equations together; take --threads 1\n"},
       {with("simulate", {"--method", "dopri5", "--threads", "2"}),
-       "vehicle: dopri5 is not shared among threads: each of its steps is chosen from the whole state; take "
-       "--threads 1, or method rk4\n"},
+       "vehicle: the method dopri5 runs on one thread: it chooses each step from the whole state; take --threads 1, or "
+       "method rk4\n"},
       {with("profile", {"--realtime", "0 ms"}),
        "vehicle profile: --realtime: \"0 ms\" must be finite and > 0; see vehicle profile --help\n"},
       {with("profile", {"--realtime", "1 m"}),
@@ -61,10 +61,9 @@ TEST(ThreadOptions, WhatIsWrongIsToldInOneLineWithStatusTwo) {
       {with("profile", {"--realtime", "11 s"}),
        "vehicle: realtime: period = 11 s gives 0 steps in 10 s, must be at least 1 and below 2e9\n"},
       {with("profile", {"--realtime", "1 ms", "--threads", "2"}),
-       "vehicle profile: --threads excludes --realtime; see vehicle profile --help\n"},
+       "vehicle: --threads has no effect: with --realtime one thread computes all equations; omit one of them\n"},
       {with("profile", {"--every", "0"}),
        "vehicle profile: --every: \"0\" must be a whole number 1..1000000; see vehicle profile --help\n"},
-      {with("profile", {"--trace", "a", "--timeline", "a"}), "vehicle: --trace and --timeline name the same file\n"},
       {with("profile", {"--waiting", "spinn"}),
        "vehicle profile: --waiting: \"spinn\" is unknown; did you mean \"spin\"?; see vehicle profile --help\n"},
   };
@@ -109,6 +108,14 @@ TEST(SimulateCommand, WithAutoTheChoiceAndItsNumbersArePrinted) {
   int taken = 0;
   for (const Json& row : told["tables"]["ways to run it"]["rows"]) taken += row["taken"] == true ? 1 : 0;
   EXPECT_EQ(taken, 1) << run.out;
+}
+
+TEST(SimulateCommand, WithAutoARunThatCannotBeSharedSaysWhyItHasOneThread) {
+  const TestFolder folder;
+  const ProgramRun run =
+      runVehicle({"simulate", kVehicle, shortPaper(folder), "--method", "dopri5", "--threads", "auto"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(has(run.err, "note: --threads auto is one thread: the method dopri5 runs on one thread: ")) << run.err;
 }
 
 TEST(ProfileCommand, TellsThreadsWaitsPathAndTimesAndWritesBothFiles) {

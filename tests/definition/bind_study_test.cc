@@ -227,6 +227,19 @@ TEST(BindStudy, ASettleLongerThanARunIsToldBeforeTheFirstRun) {
   EXPECT_EQ(problems("6 s", Evaluation::kSteadyState), "");
 }
 
+TEST(BindStudy, WhatASteadyStateDoesNotHaveIsNoParameterOfIt) {
+  for (const char* address : {"scenario.duration", "scenario.output_step", "scenario.distance", "scenario.fade_in"}) {
+    Study made = springs();
+    made.evaluation = Evaluation::kSteadyState;
+    made.designs.push_back({"other", "", {{address, "1 s", line(7)}}, line(6)});
+    EXPECT_EQ(
+        bindStudy(made, test::paperVehicle(), {test::waves("calm", 1e-3)}).problems.text(),
+        std::string("s.xml:7: error: <study><design><set>: ") + address +
+            " has no effect with evaluation=\"steady_state\", which has neither start nor end; remove it, or take "
+            "evaluation=\"run\"\n");
+  }
+}
+
 TEST(ValueAt, RangesEndExactlyAndLogarithmicOnesDivideByRatio) {
   Factor factor;
   factor.from = 0.1;

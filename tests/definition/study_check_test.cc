@@ -86,6 +86,15 @@ TEST(CheckStudy, EveryContradictionOfAPlanIsTold) {
        "study.xml:3: error: <study><scenario>: file=\"track.xml\" is listed twice (line 3); list it once\n"},
       {[](Study& made) { made.settle = -1.0; }, "study.xml:1: error: <study>: settle=\"-1 s\"; must be >= 0\n"},
       {[](Study& made) {
+         made.settle = 2.0;
+         made.evaluation = Evaluation::kSteadyState;
+       },
+       "study.xml:1: error: <study>: settle=\"2 s\" has no effect with evaluation=\"steady_state\", which has no start "
+       "to leave out; remove settle, or take evaluation=\"run\"\n"},
+      {[](Study& made) { made.plan->seed = 7; },
+       "study.xml:6: error: <study><plan>: seed=\"7\" has no effect: a grid draws nothing; remove seed, or take a kind "
+       "that samples: latin_hypercube, sobol, saltelli\n"},
+      {[](Study& made) {
          made.varies.clear();
          made.designs.clear();
        },

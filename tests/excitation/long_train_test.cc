@@ -47,13 +47,15 @@ TEST(LongTrain, IsRefusedWhereItsKinksWouldFillTheMemory) {
     return std::string("accepted");
   };
   EXPECT_EQ(refusal(),
-            "track.xml:3: error: <scenario><track>: 3000 wheelsets meet the rail's kinks one by one: 3000 pieces of "
-            "input would take 1.61 GiB; must be at most 1 GiB; take history=\"extended\", or a shorter train or run\n");
+            "track.xml:3: error: <scenario><track>: 3000 wheelsets pass the discontinuities of the rail at different "
+            "times: 3000 segments of input would take 1.61 GiB; must be at most 1 GiB; take history=\"extended\", or a "
+            "shorter train or run\n");
   scenario.track->history = History::kExtended;
   scenario.track->dips = {test::dip(DipShape::kHalfSine, 5e-3, 3.0, 40.0)};
   EXPECT_EQ(refusal(),
-            "track.xml:3: error: <scenario><track>: 3000 wheelsets meet the rail's kinks one by one: 6001 pieces of "
-            "input would take 4.02 GiB; must be at most 1 GiB; take a shorter train or run, or fewer dips and ramps\n");
+            "track.xml:3: error: <scenario><track>: 3000 wheelsets pass the discontinuities of the rail at different "
+            "times: 6001 segments of input would take 4.02 GiB; must be at most 1 GiB; take a shorter train or run, or "
+            "fewer dips and ramps\n");
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST(FlatSplit, AnAsymmetricVehicleIsToldWhatDiffers) {
   const auto form = buildFlatForm(heavier, kGravity);
   const std::string misfit = splitMisfit(*form);
   EXPECT_EQ(misfit,
-            "bounce and pitch part in a vehicle only whose front and rear are the same to the last bit: "
+            "bounce and pitch are independent only where front and rear of a vehicle are equal, and here they differ: "
             "mass of the front bogie = 9000 kg, of the rear one = 9500 kg");
   try {
     (void)FlatSplit(*form);
@@ -118,8 +118,7 @@ TEST(FlatSplit, AnAsymmetricVehicleIsToldWhatDiffers) {
 
 TEST(FlatSplit, APrintedVariantIsRefused) {
   const auto form = buildFlatForm(paperVehicle(), kGravity, FlatVariant::kPrinted7);
-  EXPECT_EQ(splitMisfit(*form),
-            "bounce and pitch part in the consistent equations only; this is a printed variant");
+  EXPECT_EQ(splitMisfit(*form), "bounce and pitch are independent in the form flat only; this is a printed variant");
 }
 
 }  // namespace

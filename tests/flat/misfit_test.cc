@@ -40,11 +40,10 @@ TEST(FlatMisfits, NamePitchingBogiesAndTheirLines) {
   vehicle.bodies[2].origin.file = "coach.xml";
   vehicle.bodies[2].origin.line = 43;
   EXPECT_EQ(misfitsOf(vehicle),
-            "coach.xml:41: error: <vehicle><body name=\"front_bogie\">: pitches; the flat form's bogies move in z "
-            "only; "
-            "write motion=\"z\", or use the form matrix\n"
-            "coach.xml:43: error: <vehicle><body name=\"rear_bogie\">: pitches; the flat form's bogies move in z only; "
-            "write motion=\"z\", or use the form matrix\n");
+            "coach.xml:41: error: <vehicle><body name=\"front_bogie\">: has a pitch motion; the form flat computes "
+            "the bounce of a bogie and no pitch; take the form matrix, which computes both\n"
+            "coach.xml:43: error: <vehicle><body name=\"rear_bogie\">: has a pitch motion; the form flat computes "
+            "the bounce of a bogie and no pitch; take the form matrix, which computes both\n");
 }
 
 TEST(FlatMisfits, NameWheelsetsWithAMotionOfTheirOwn) {
@@ -52,25 +51,24 @@ TEST(FlatMisfits, NameWheelsetsWithAMotionOfTheirOwn) {
   vehicle.wheelsets[2].mass = 1800.0;
   vehicle.wheelsets[2].contact_stiffness = 2e9;
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><wheelset name=\"wheelset_3\">: has a motion of its own on its contact; the flat form's "
-            "wheelsets follow the rail; leave out the contact, or use the form matrix\n");
+            "error: <vehicle><wheelset name=\"wheelset_3\">: has mass and contact, and so a motion of its own; the "
+            "form flat computes wheelsets that follow the rail; take the form matrix, or remove the contact\n");
 }
 
 TEST(FlatMisfits, NameTheCarbodyThatDoesNotPitch) {
   Vehicle vehicle = paperVehicle();
   vehicle.bodies[0].motion = {Motion::kZ};
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"carbody\">: moves in z only; the flat form's carbody moves in z and pitch; "
-            "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix\n");
+            "error: <vehicle><body name=\"carbody\">: moves in z only; the form flat computes z and pitch of the "
+            "carbody; take the form matrix, or write motion=\"z pitch\" with a pitch_inertia\n");
 }
 
 TEST(FlatMisfits, NameTheCarbodyThatOnlyPitches) {
   Vehicle vehicle = paperVehicle();
   vehicle.bodies[0].motion = {Motion::kPitch};
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"carbody\">: moves in pitch only; the flat form's carbody moves in z and "
-            "pitch; "
-            "write motion=\"z pitch\" with a pitch_inertia, or use the form matrix\n");
+            "error: <vehicle><body name=\"carbody\">: moves in pitch only; the form flat computes z and pitch of the "
+            "carbody; take the form matrix, or write motion=\"z pitch\" with a pitch_inertia\n");
 }
 
 TEST(FlatMisfits, NameTheBogieThatOnlyPitches) {
@@ -78,8 +76,8 @@ TEST(FlatMisfits, NameTheBogieThatOnlyPitches) {
   vehicle.bodies[1].motion = {Motion::kPitch};
   vehicle.bodies[1].pitch_inertia = 9e3;
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"front_bogie\">: pitches; the flat form's bogies move in z only; write "
-            "motion=\"z\", or use the form matrix\n");
+            "error: <vehicle><body name=\"front_bogie\">: has a pitch motion; the form flat computes the bounce of a "
+            "bogie and no pitch; take the form matrix, which computes both\n");
 }
 
 Vehicle withThirdBogie() {
@@ -96,7 +94,7 @@ Vehicle withThirdBogie() {
 TEST(FlatMisfits, NameTheCarbodyOnThreeBogies) {
   EXPECT_EQ(misfitsOf(withThirdBogie()),
             "error: <vehicle><body name=\"carbody\">: stands on 3 bogies (\"front_bogie\", \"rear_bogie\", "
-            "\"middle_bogie\"); the flat form has two; use the form matrix\n");
+            "\"middle_bogie\"); the form flat computes two; take the form matrix, which computes any vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheBogieWithOneAxle) {
@@ -105,8 +103,7 @@ TEST(FlatMisfits, NameTheBogieWithOneAxle) {
   vehicle.suspensions.pop_back();
   EXPECT_EQ(misfitsOf(vehicle),
             "error: <vehicle><body name=\"rear_bogie\">: stands on wheelsets by 1 suspension (\"primary_3\"); the "
-            "flat form "
-            "has two axles a bogie; use the form matrix\n");
+            "form flat computes two for each bogie; take the form matrix, which computes any vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheBogieWithThreeAxles) {
@@ -115,7 +112,8 @@ TEST(FlatMisfits, NameTheBogieWithThreeAxles) {
   vehicle.suspensions.push_back(suspension("primary_5", "primary", "front_bogie", "wheelset_5", 3.7));
   EXPECT_EQ(misfitsOf(vehicle),
             "error: <vehicle><body name=\"front_bogie\">: stands on wheelsets by 3 suspensions (\"primary_1\", "
-            "\"primary_2\", \"primary_5\"); the flat form has two axles a bogie; use the form matrix\n");
+            "\"primary_2\", \"primary_5\"); the form flat computes two for each bogie; take the form matrix, which "
+            "computes any vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheBogieThatStandsTwiceOnAWheelset) {
@@ -123,29 +121,28 @@ TEST(FlatMisfits, NameTheBogieThatStandsTwiceOnAWheelset) {
   named(vehicle.suspensions, "primary_2").lower = "wheelset_1";
   vehicle.wheelsets.erase(vehicle.wheelsets.begin() + 1);
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"front_bogie\">: stands twice on the wheelset \"wheelset_1\"; the flat form "
-            "has two "
-            "axles a bogie; use the form matrix\n");
+            "error: <vehicle><body name=\"front_bogie\">: stands on the wheelset \"wheelset_1\" twice; the form flat "
+            "computes two wheelsets for each bogie; take the form matrix, which computes any vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheBogieUnderTwoSecondaries) {
   Vehicle vehicle = paperVehicle();
   vehicle.suspensions.push_back(suspension("secondary_extra", "secondary", "carbody", "front_bogie", 3.0));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"front_bogie\">: carries by 2 suspensions (\"secondary_front\", "
-            "\"secondary_extra\"); the flat form has one secondary a bogie; use the form matrix\n");
+            "error: <vehicle><body name=\"front_bogie\">: carries bodies by 2 suspensions (\"secondary_front\", "
+            "\"secondary_extra\"); the form flat computes one for each bogie; take the form matrix, which computes "
+            "any vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheSuspensionFromCarbodyToWheelset) {
   Vehicle vehicle = paperVehicle();
   vehicle.suspensions.push_back(suspension("strut", "primary", "carbody", "wheelset_1", 5.225));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><suspension name=\"strut\">: joins the carbody \"carbody\" to a wheelset; the flat "
-            "form's stands "
-            "on bogies; use the form matrix\n"
+            "error: <vehicle><suspension name=\"strut\">: joins the carbody \"carbody\" to a wheelset; the form flat "
+            "computes carbodies that stand on bogies; take the form matrix, which computes any vehicle\n"
             "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"carbody\"); the "
-            "flat form's "
-            "wheelsets carry one bogie each; use the form matrix\n");
+            "form flat computes wheelsets that carry one bogie each; take the form matrix, which computes any "
+            "vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheWheelsetUnderTwoBogies) {
@@ -154,8 +151,8 @@ TEST(FlatMisfits, NameTheWheelsetUnderTwoBogies) {
   vehicle.wheelsets.erase(vehicle.wheelsets.begin() + 2);
   EXPECT_EQ(misfitsOf(vehicle),
             "error: <vehicle><wheelset name=\"wheelset_2\">: carries 2 bodies (\"front_bogie\", \"rear_bogie\"); the "
-            "flat "
-            "form's wheelsets carry one bogie each; use the form matrix\n");
+            "form flat computes wheelsets that carry one bogie each; take the form matrix, which computes any "
+            "vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheSecondCarbodyAndBodiesOfAThirdFloor) {
@@ -163,12 +160,11 @@ TEST(FlatMisfits, NameTheSecondCarbodyAndBodiesOfAThirdFloor) {
   vehicle.bodies.push_back(body("cab", 2e3, 6.0, std::nullopt, {Motion::kZ}));
   vehicle.suspensions.push_back(suspension("cab_mount", "primary", "cab", "front_bogie", 6.0));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"cab\">: is a carbody beside \"carbody\"; the flat form has one carbody; use "
-            "the "
-            "form matrix\n"
-            "error: <vehicle><body name=\"front_bogie\">: carries by 2 suspensions (\"secondary_front\", "
-            "\"cab_mount\"); the "
-            "flat form has one secondary a bogie; use the form matrix\n");
+            "error: <vehicle><body name=\"cab\">: is a second carbody beside \"carbody\"; the form flat computes one "
+            "carbody; take the form matrix, which computes any vehicle\n"
+            "error: <vehicle><body name=\"front_bogie\">: carries bodies by 2 suspensions (\"secondary_front\", "
+            "\"cab_mount\"); the form flat computes one for each bogie; take the form matrix, which computes any "
+            "vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheBodyThatIsNoBogie) {
@@ -176,24 +172,21 @@ TEST(FlatMisfits, NameTheBodyThatIsNoBogie) {
   vehicle.bodies.push_back(body("tender", 2e3, 9.0, std::nullopt, {Motion::kZ}));
   vehicle.suspensions.push_back(suspension("tender_spring", "primary", "tender", "wheelset_1", 9.0));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><body name=\"tender\">: is neither the carbody nor a bogie under it; the flat form has "
-            "no other "
-            "body; use the form matrix\n"
-            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"tender\"); the flat "
-            "form's "
-            "wheelsets carry one bogie each; use the form matrix\n");
+            "error: <vehicle><body name=\"tender\">: is neither the carbody nor a bogie under it; the form flat "
+            "computes no other body; take the form matrix, which computes any vehicle\n"
+            "error: <vehicle><wheelset name=\"wheelset_1\">: carries 2 bodies (\"front_bogie\", \"tender\"); the "
+            "form flat computes wheelsets that carry one bogie each; take the form matrix, which computes any "
+            "vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheSuspensionBetweenBogies) {
   Vehicle vehicle = paperVehicle();
   vehicle.suspensions.push_back(suspension("link", "primary", "front_bogie", "rear_bogie", 0.0));
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle><suspension name=\"link\">: joins the bogie \"front_bogie\" to another body; the flat "
-            "form's "
-            "stand on wheelsets; use the form matrix\n"
-            "error: <vehicle><body name=\"rear_bogie\">: carries by 2 suspensions (\"secondary_rear\", \"link\"); the "
-            "flat "
-            "form has one secondary a bogie; use the form matrix\n");
+            "error: <vehicle><suspension name=\"link\">: joins the bogie \"front_bogie\" to another body; the form "
+            "flat computes bogies that stand on wheelsets; take the form matrix, which computes any vehicle\n"
+            "error: <vehicle><body name=\"rear_bogie\">: carries bodies by 2 suspensions (\"secondary_rear\", "
+            "\"link\"); the form flat computes one for each bogie; take the form matrix, which computes any vehicle\n");
 }
 
 TEST(FlatMisfits, NameTheVehicleWithoutBogies) {
@@ -205,9 +198,8 @@ TEST(FlatMisfits, NameTheVehicleWithoutBogies) {
   vehicle.suspensions = {suspension("s_ahead", "spring", "deck", "ahead", 2.0),
                          suspension("s_behind", "spring", "deck", "behind", -2.0)};
   EXPECT_EQ(misfitsOf(vehicle),
-            "error: <vehicle name=\"trolley\">: has no body that stands on other bodies; the flat form is a carbody "
-            "on two "
-            "bogies; use the form matrix\n");
+            "error: <vehicle name=\"trolley\">: has no body that stands on other bodies; the form flat computes a "
+            "carbody on two bogies; take the form matrix, which computes any vehicle\n");
 }
 
 TEST(FlatMisfits, OfAContradictoryVehicleAreItsProblems) {
@@ -221,42 +213,35 @@ TEST(PrintedVariants, RefuseAnAsymmetricVehicleNamingWhatDiffers) {
   EXPECT_EQ(
       misfitsOf(asymmetricVehicle(), FlatVariant::kPrinted7),
       "error: <vehicle><body name=\"rear_bogie\">: has mass 7500 kg, \"front_bogie\" has 10200 kg; the printed "
-      "equations "
-      "know one value; give both the same, or use the form flat\n"
+      "equations have one value for both; give both the same, or take the form flat\n"
       "error: <vehicle><suspension name=\"secondary_rear\">: has stiffness 1900000 N/m, \"secondary_front\" has "
-      "3100000 N/m; "
-      "the printed equations know one value; give both the same, or use the form flat\n"
+      "3100000 N/m; the printed equations have one value for both; give both the same, or take the form flat\n"
       "error: <vehicle><suspension name=\"secondary_rear\">: has damping 85000 N*s/m, \"secondary_front\" has 60000 "
-      "N*s/m; "
-      "the printed equations know one value; give both the same, or use the form flat\n"
+      "N*s/m; the printed equations have one value for both; give both the same, or take the form flat\n"
       "error: <vehicle><suspension name=\"secondary_rear\">: stands 4.8 m behind the carbody's centre of gravity, "
-      "\"secondary_front\" 3.7 m ahead; the printed equations know one lever arm; give both the same, or use the form "
-      "flat\n"
-      "error: <vehicle><suspension name=\"primary_2\">: has stiffness 3400000 N/m, \"primary_1\" has 2700000 N/m; the "
-      "printed equations know one value; give both the same, or use the form flat\n"
+      "\"secondary_front\" 3.7 m ahead; the printed equations have one lever arm for both; give both the same, or "
+      "take the form flat\n"
+      "error: <vehicle><suspension name=\"primary_2\">: has stiffness 3400000 N/m, \"primary_1\" has 2700000 N/m; "
+      "the printed equations have one value for both; give both the same, or take the form flat\n"
       "error: <vehicle><suspension name=\"primary_2\">: has damping 33000 N*s/m, \"primary_1\" has 21000 N*s/m; the "
-      "printed "
-      "equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"primary_3\">: has stiffness 2200000 N/m, \"primary_1\" has 2700000 N/m; the "
-      "printed equations know one value; give both the same, or use the form flat\n"
+      "printed equations have one value for both; give both the same, or take the form flat\n"
+      "error: <vehicle><suspension name=\"primary_3\">: has stiffness 2200000 N/m, \"primary_1\" has 2700000 N/m; "
+      "the printed equations have one value for both; give both the same, or take the form flat\n"
       "error: <vehicle><suspension name=\"primary_3\">: has damping 45000 N*s/m, \"primary_1\" has 21000 N*s/m; the "
-      "printed "
-      "equations know one value; give both the same, or use the form flat\n"
-      "error: <vehicle><suspension name=\"primary_4\">: has stiffness 3900000 N/m, \"primary_1\" has 2700000 N/m; the "
-      "printed equations know one value; give both the same, or use the form flat\n"
+      "printed equations have one value for both; give both the same, or take the form flat\n"
+      "error: <vehicle><suspension name=\"primary_4\">: has stiffness 3900000 N/m, \"primary_1\" has 2700000 N/m; "
+      "the printed equations have one value for both; give both the same, or take the form flat\n"
       "error: <vehicle><suspension name=\"primary_4\">: has damping 12000 N*s/m, \"primary_1\" has 21000 N*s/m; the "
-      "printed "
-      "equations know one value; give both the same, or use the form flat\n");
+      "printed equations have one value for both; give both the same, or take the form flat\n");
 }
 
 TEST(PrintedVariants, RefuseStaticLoadsAtHeights) {
   EXPECT_EQ(misfitsOf(heightsVehicle(0.5), FlatVariant::kLiteral),
-            "error: <vehicle><suspension name=\"secondary_front\">: ends 0.5 m below the carbody's centre of gravity; "
-            "the "
-            "printed equations carry no static loads at heights; leave out the heights, or use the form flat\n"
+            "error: <vehicle><suspension name=\"secondary_front\">: ends 0.5 m below the carbody's centre of "
+            "gravity; the printed equations carry no static loads at heights; remove the heights, or take the form "
+            "flat\n"
             "error: <vehicle><suspension name=\"secondary_rear\">: ends 0.5 m below the carbody's centre of gravity; "
-            "the "
-            "printed equations carry no static loads at heights; leave out the heights, or use the form flat\n");
+            "the printed equations carry no static loads at heights; remove the heights, or take the form flat\n");
 }
 
 TEST(BuildFlatForm, ThrowsTheMisfits) {

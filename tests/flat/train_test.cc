@@ -344,8 +344,8 @@ TEST(FlatTrain, RefusesMatricesOfAVeryLongOne) {
     (void)form->linear();
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "flat: matrices of 2008 states are not made, only up to 2000; integrate by rk4 or "
-                               "dopri5, which need none");
+    EXPECT_STREQ(error.what(), "the form flat has 2008 states here, and its matrices are formed for at most 2000; take "
+                               "the method rk4 or dopri5, which need none");
   }
 }
 
@@ -367,10 +367,10 @@ TEST(FlatSystem, TellsTheMisfitsOfVehiclesFromOneFileOnce) {
     train.vehicles[0].vehicle.bodies[b].origin.line = 40 + static_cast<int>(b);
   }
   EXPECT_EQ(flatSystemMisfits(assembled(train)).text(),
-            "coach.xml:41: error: <vehicle><body name=\"coach_1.front_bogie\">: pitches; the flat form's bogies move "
-            "in z only; write motion=\"z\", or use the form matrix\n"
-            "coach.xml:42: error: <vehicle><body name=\"coach_1.rear_bogie\">: pitches; the flat form's bogies move "
-            "in z only; write motion=\"z\", or use the form matrix\n");
+            "coach.xml:41: error: <vehicle><body name=\"coach_1.front_bogie\">: has a pitch motion; the form flat "
+            "computes the bounce of a bogie and no pitch; take the form matrix, which computes both\n"
+            "coach.xml:42: error: <vehicle><body name=\"coach_1.rear_bogie\">: has a pitch motion; the form flat "
+            "computes the bounce of a bogie and no pitch; take the form matrix, which computes both\n");
   EXPECT_THROW((void)buildFlatSystem(assembled(train), kGravity), InvalidInput);
 }
 
@@ -380,17 +380,19 @@ TEST(FlatSystem, RefusesCouplingsThatMakeNoChain) {
   second.name = "spare";
   train.suspensions.push_back(second);
   EXPECT_EQ(flatSystemMisfits(train).text(),
-            "error: <suspension name=\"spare\">: stands beside \"coupling_1\" between the same vehicles; the flat form "
-            "has one coupling there; use the form matrix\n");
+            "error: <suspension name=\"spare\">: stands beside \"coupling_1\" between the same vehicles; the form "
+            "flat computes one coupling there; take the form matrix, which computes any train\n");
   train.suspensions.back().lower = "coach_3.carbody";
   EXPECT_EQ(flatSystemMisfits(train).text(),
-            "error: <suspension name=\"spare\">: joins \"coach_1.carbody\" to \"coach_3.carbody\", which do not follow "
-            "each other; the flat form's vehicles are coupled to their neighbours; use the form matrix\n");
+            "error: <suspension name=\"spare\">: joins \"coach_1.carbody\" to \"coach_3.carbody\", which do not "
+            "follow each other; the form flat computes couplings between neighbours; take the form matrix, which "
+            "computes any train\n");
 }
 
 TEST(FlatSystem, ThePrintedVariantsKnowOneVehicle) {
   EXPECT_EQ(flatMisfits(assembled(equalTrain(paperVehicle(), 2, 16.0)), FlatVariant::kLiteral).text(),
-            "error: <train name=\"equal\">: is a train; the printed equations know one vehicle; use the form flat\n");
+            "error: <train name=\"equal\">: is a train; the printed equations are of one vehicle; take the form "
+            "flat\n");
 }
 
 }  // namespace

@@ -87,15 +87,18 @@ TEST(EquationMap, PaperIsThePrintedDistribution) {
 }
 
 TEST(EquationMap, PaperRefusesAnythingElseWithTheReason) {
-  EXPECT_EQ(refusal(vehicleSet(), EquationMap::kPaper, 2),
-            "map paper is the source paper's four threads for one vehicle of four equations; here are 2 threads; take "
-            "4, or map auto or body");
-  EXPECT_EQ(refusal(massChain(8).set(), EquationMap::kPaper, 4),
-            "map paper is the source paper's four threads for one vehicle of four equations; here are 8 equations; "
-            "take map auto or body");
-  EXPECT_EQ(refusal(massVehicle().set(), EquationMap::kPaper, 4),
-            "map paper is the source paper's four threads for one vehicle of four equations; here no equation is "
-            "named (5); take map auto or body");
+  EXPECT_EQ(
+      refusal(vehicleSet(), EquationMap::kPaper, 2),
+      "map paper divides the four equations of the source paper's vehicle among four threads; here are 2 threads; take "
+      "4, or map auto or body");
+  EXPECT_EQ(
+      refusal(massChain(8).set(), EquationMap::kPaper, 4),
+      "map paper divides the four equations of the source paper's vehicle among four threads; here are 8 equations; "
+      "take map auto or body");
+  EXPECT_EQ(
+      refusal(massVehicle().set(), EquationMap::kPaper, 4),
+      "map paper divides the four equations of the source paper's vehicle among four threads; here no equation is "
+      "named (5); take map auto or body");
 }
 
 TEST(EquationMap, BodyTellsTheMostThreadsThatItCanTakeWhateverIsAsked) {

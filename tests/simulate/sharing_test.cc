@@ -154,11 +154,12 @@ std::string refusal(const std::string& form, const std::string& method, int thre
 }
 
 TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
-  EXPECT_EQ(refusal("mbs", "rk4", 2, ""), "mbs cannot be cut into equations: Simbody computes all at once; "
-                                          "take --threads 1");
+  EXPECT_EQ(refusal("mbs", "rk4", 2, ""),
+            "the form mbs runs on one thread: Simbody computes all of its equations "
+            "together; take --threads 1");
   EXPECT_EQ(refusal("flat", "dopri5", 2, ""),
-            "dopri5 is not shared among threads: each of its steps is chosen from the whole state; take --threads 1, "
-            "or method rk4");
+            "the method dopri5 runs on one thread: it chooses each step from the whole state; take --threads 1, or "
+            "method rk4");
   EXPECT_EQ(refusal("flat", "exact", 16, ""),
             "16 threads for 4 equations: every thread computes at least one; take at most 4");
   EXPECT_EQ(refusal("flat", "rk4", -1, ""), "threads = -1, must be 1..256, or 0 to let a calibration choose");
@@ -168,21 +169,22 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
             "scheme rows does not share the work of rk4; take serial | stages | halo | pipeline");
   EXPECT_EQ(refusal("flat", "rk4", 2, "stage"), "scheme \"stage\" is unknown; did you mean \"stages\"?");
   EXPECT_EQ(refusal("flat", "rk4", 2, "pipeline", "body"),
-            "map body with scheme pipeline, whose threads have no equations of their own; leave the map away, or take "
-            "scheme stages, halo or rows");
+            "--map body has no effect with the scheme pipeline, whose threads have no equations of their own; omit "
+            "--map, or take scheme stages, halo or rows");
   EXPECT_EQ(refusal("flat", "rk4", 1, "", "body"), "not refused");
   for (const int threads : {0, 2}) {
     EXPECT_EQ(refusal("flat", "rk4_split", threads, "", "body"),
-              "map body with rk4_split, whose threads have no equations of their own; leave the map away, or take "
-              "method rk4 or exact");
+              "--map body has no effect with the method rk4_split, whose threads have no equations of their own; omit "
+              "--map, or take method rk4 or exact");
   }
   EXPECT_EQ(refusal("mbs", "rk4", 0, "", "body"), refusal("mbs", "rk4", 2, ""));
   EXPECT_EQ(refusal("flat", "rk4", 4, "", "body"),
             "4 threads for 3 bodies: map body gives every thread at least one; take at most 3");
   EXPECT_EQ(refusal("matrix", "rk4", 4, "", "body"), refusal("flat", "rk4", 4, "", "body"));
-  EXPECT_EQ(refusal("flat", "rk4", 2, "", "paper"),
-            "map paper is the source paper's four threads for one vehicle of four equations; here are 2 threads; take "
-            "4, or map auto or body");
+  EXPECT_EQ(
+      refusal("flat", "rk4", 2, "", "paper"),
+      "map paper divides the four equations of the source paper's vehicle among four threads; here are 2 threads; "
+      "take 4, or map auto or body");
   EXPECT_EQ(refusal("flat", "exact", 0, "", "paper"), "not refused");
   EXPECT_EQ(refusal("flat", "rk4", 2, "stages", "papr"), "map \"papr\" is unknown; did you mean \"paper\"?");
   const std::string many = refusal("flat", "rk4", 5, "stages");
@@ -199,8 +201,8 @@ TEST(Sharing, AutoNamesTheOnlyWayThereIs) {
     choice.scheme = scheme;
     return run(paperVehicle(), shortened(paperScenario(History::kOnset)), form, method, choice).decision.reason;
   };
-  EXPECT_EQ(reason("flat", "dopri5", ""), "serial: there is no other way");
-  EXPECT_EQ(reason("mbs", "rk4", ""), "serial: there is no other way");
+  EXPECT_EQ(reason("flat", "dopri5", ""), "serial: there is no other scheme to try");
+  EXPECT_EQ(reason("mbs", "rk4", ""), "serial: there is no other scheme to try");
   // On one core it is the scheme's one thread.
   EXPECT_TRUE(reason("flat", "rk4_split", "split").starts_with("split")) << reason("flat", "rk4_split", "split");
 }

@@ -123,7 +123,8 @@ TEST(Split, IsRefusedWhereBounceAndPitchDoNotPart) {
   Vehicle heavier = paperVehicle();
   named(heavier.bodies, "rear_bogie").mass = 9.5e3;
   const std::string why =
-      "rk4_split: bounce and pitch part in a vehicle only whose front and rear are the same to the last bit: "
+      "rk4_split: bounce and pitch are independent only where front and rear of a vehicle are equal, and here they "
+      "differ: "
       "mass of the front bogie = 9000 kg, of the rear one = 9500 kg; take rk4";
   EXPECT_EQ(refusal(heavier, "flat", "rk4_split", 1), why);
   EXPECT_EQ(refusal(heavier, "flat", "rk4_split", 2), why);
@@ -131,7 +132,7 @@ TEST(Split, IsRefusedWhereBounceAndPitchDoNotPart) {
   EXPECT_EQ(methodMisfit("rk4_split", "flat", paperVehicle(), 9.81), "");
   EXPECT_EQ(methodMisfit("rk4_split", "flat", bogiePitchVehicle(), 9.81), "");
   EXPECT_EQ(refusal(paperVehicle(), "matrix", "exact_split", 1),
-            "exact_split runs the flat form's bounce and pitch apart; matrix has none");
+            "the method exact_split runs the form flat, not matrix; take exact");
   EXPECT_EQ(refusal(paperVehicle(), "flat", "exact_split", 3),
             "exact_split has two parts, bounce and pitch: it runs on 1 or 2 threads, not on 3");
 }

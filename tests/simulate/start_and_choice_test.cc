@@ -81,9 +81,9 @@ TEST(Simulate, RefusesWrongChoicesWithNameValueAndRule) {
             "flat-literal, flat-literal-mb");
   EXPECT_EQ(refusal([](RunChoice& c) { c.method = "rk5"; }), "method \"rk5\" is unknown; did you mean \"rk4\"?");
   EXPECT_EQ(refusal([](RunChoice& c) { c.form = "mbs", c.method = "exact"; }),
-            "exact needs a linear form; mbs is nonlinear");
+            "the method exact needs a linear form, and mbs is nonlinear; take dopri5, or the form mbs-linear");
   EXPECT_EQ(refusal([](RunChoice& c) { c.form = "flat", c.method = "simbody_rkm"; }),
-            "simbody_rkm integrates Simbody forms; flat is not one");
+            "the method simbody_rkm runs the forms mbs and mbs-linear, not flat; take another method");
   EXPECT_EQ(refusal([](RunChoice& c) { c.step = 0.0; }), "step = 0 s, must be finite and > 0");
   EXPECT_EQ(refusal([](RunChoice& c) { c.step = NAN; }), "step = nan s, must be finite and > 0");
   EXPECT_EQ(refusal([](RunChoice& c) { c.refine = 0; }), "refine = 0, must be >= 1");

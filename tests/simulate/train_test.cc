@@ -85,9 +85,10 @@ std::string refusalOf(const Vehicle& vehicle, const Scenario& scenario, const st
 TEST(TrainRun, RefusesWhatIsNotForTrains) {
   const Scenario scenario = shortScenario(History::kExtended, 1.0);
   EXPECT_EQ(refusalOf(assembled(equalTrain(paperVehicle(), 2, 16.0)), scenario, "rk4_split"),
-            "rk4_split: couplings tie bounce and pitch of a train's vehicles; take rk4");
+            "rk4_split: couplings join the bounce and pitch of a train's vehicles; take rk4");
   EXPECT_EQ(refusalOf(assembled(equalTrain(paperVehicle(), 251, 16.0)), scenario, "exact"),
-            "flat: matrices of 2008 states are not made, only up to 2000; integrate by rk4 or dopri5, which need none");
+            "the form flat has 2008 states here, and its matrices are formed for at most 2000; take the method rk4 or "
+            "dopri5, which need none");
 }
 
 }  // namespace

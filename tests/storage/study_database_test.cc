@@ -149,12 +149,20 @@ TEST(StudyDatabase, OnlyTheSameStudyGoesOnAndEveryChangedLineIsTold) {
   newer.program = "vehicle 0.2.0";
   EXPECT_EQ(
       refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, newer)); }),
-      "study.sqlite: was begun by vehicle 0.1.0, this is vehicle 0.2.0: their numbers may differ in the last digits; "
-      "go on with that program, or write to a new file");
+      "study.sqlite: error: was begun by vehicle 0.1.0, this is vehicle 0.2.0: their numbers may differ in the last "
+      "digits; go on with that program, or write to a new file\n");
   // The names of files may be given from another folder: they are the same files.
   StudyRecord moved = record;
   moved.inputs[1].name = "../coach.xml";
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, moved)); }), "no refusal");
+  // One file in the place of another is no file with other lines.
+  StudyRecord replaced = record;
+  replaced.inputs[1] = {"wagon.xml", "<vehicle name=\"wagon\"/>\n"};
+  EXPECT_EQ(
+      refusalOf(folder, [&] { static_cast<void>(StudyDatabase::resume(path, replaced)); }),
+      "wagon.xml: error: was no part of the study when study.sqlite was begun\n"
+      "coach.xml: error: was a part of the study when study.sqlite was begun\n"
+      "study.sqlite: error: holds designs of the study as it was; bring the files back, or write to a new file\n");
 }
 
 TEST(StudyDatabase, AFileThatIsNoStudyIsRefusedAndLeftAlone) {
@@ -166,17 +174,20 @@ TEST(StudyDatabase, AFileThatIsNoStudyIsRefusedAndLeftAlone) {
   for (const auto& open :
        std::vector<std::function<void()>>{[&] { static_cast<void>(StudyDatabase::resume(path, record)); },
                                           [&] { static_cast<void>(StudyDatabase::read(path)); }}) {
-    EXPECT_EQ(refusalOf(folder, open), "text.sqlite: holds no study: it is no SQLite file");
+    EXPECT_EQ(refusalOf(folder, open),
+              "text.sqlite: error: holds no study: it is no SQLite file; name a database that `vehicle study --output` "
+              "wrote\n");
   }
   EXPECT_EQ(textOf(path), std::string(2000, 'x'));
   folder.file("empty.sqlite", "");
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("empty.sqlite"))); }),
-            "empty.sqlite: holds no study");
+            "empty.sqlite: error: holds no study; name a database that this program's `vehicle study --output` "
+            "wrote\n");
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.path("none.sqlite"))); }),
-            "none.sqlite: cannot be opened: there is no such file");
+            "none.sqlite: error: cannot be read: No such file or directory; check the name of the file\n");
   EXPECT_EQ(refusalOf(folder, [&] { static_cast<void>(StudyDatabase::read(folder.root())); })
                 .substr(folder.root().string().size()),
-            ": cannot be opened: it is a folder");
+            ": error: is a folder; name a file in it\n");
   EXPECT_EQ(
       refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("no/where.sqlite"), record)); }),
       "no/where.sqlite: cannot be written: No such file or directory; its folder must exist and be writable");

@@ -161,7 +161,7 @@ TEST(StudyDatabaseDamaged, ItIsNotGoneOnWithAndLeftAsItIs) {
     static_cast<void>(folder.file("study.sqlite", damaged));
     try {
       static_cast<void>(StudyDatabase::resume(path, record));
-    } catch (const RunFailed& failure) {
+    } catch (const InvalidInput& failure) {
       EXPECT_NE(std::string(failure.what()).find("is damaged ("), std::string::npos) << failure.what();
       ++refused;
     }

@@ -51,7 +51,7 @@ TEST(StudyReader, EveryWrongLineIsTold) {
   }
 }
 
-constexpr const char* kEverything = R"xml(<study name="everything" format="1" settle="2 s" evaluation="steady_state">
+constexpr const char* kEverything = R"xml(<study name="everything" format="1" settle="2 s">
   <title>All that may stand in a study</title>
   <vehicle file="../vehicles/coach.xml"/>
 
@@ -79,12 +79,28 @@ constexpr const char* kEverything = R"xml(<study name="everything" format="1" se
 TEST(StudyWriter, WhatIsReadIsWrittenAsItStood) {
   const Study study = readStudyText(kEverything, "a.xml").orThrow();
   EXPECT_EQ(study.settle, 2.0);
-  EXPECT_EQ(study.evaluation, Evaluation::kSteadyState);
   ASSERT_EQ(study.varies.size(), 2u);
   EXPECT_EQ(study.varies[0].kind, Variation::kRelative);
   EXPECT_EQ(study.plan.value().kind, PlanKind::kSobol);
   EXPECT_EQ(study.designs.at(0).sets.size(), 2u);
   EXPECT_EQ(write(study), kEverything);
+  std::string steady = kEverything;
+  steady.replace(steady.find("settle=\"2 s\""), 12, "evaluation=\"steady_state\"");
+  const Study other = readStudyText(steady, "a.xml").orThrow();
+  EXPECT_EQ(other.evaluation, Evaluation::kSteadyState);
+  EXPECT_EQ(write(other), steady);
+}
+
+TEST(StudyReader, TakesGoalsInEitherSpellingAndWritesOne) {
+  for (const auto& [spelling, goal] :
+       {std::pair{"minimize", Goal::kMinimise}, std::pair{"maximize", Goal::kMaximise}}) {
+    std::string text = kEverything;
+    text.replace(text.find("goal=\"minimise\""), 15, std::string("goal=\"") + spelling + '"');
+    const Study study = readStudyText(text, "a.xml").orThrow();
+    EXPECT_EQ(study.objectives.at(0).goal, goal);
+    EXPECT_NE(write(study).find(goal == Goal::kMinimise ? "goal=\"minimise\"" : "goal=\"maximise\""),
+              std::string::npos);
+  }
 }
 
 // Two lists of attributes exist, because `definition` may not see the schema table: they must say the same.

@@ -2,7 +2,7 @@
 _vehicle() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
   local commands="check info simulate modes validate profile study schema"
-  local common="--help --format --quiet --strict"
+  local common="--help --version --format --quiet --strict"
   local settings="--speed --step --rtol --atol --accuracy"
   local forms="flat matrix mbs-linear mbs flat-7-printed flat-literal flat-literal-mb"
   local methods="rk4 dopri5 exact simbody_rkm rk4_split exact_split"
@@ -12,7 +12,11 @@ _vehicle() {
   COMPREPLY=()
 
   if ((COMP_CWORD == 1)); then
-    mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W "$commands help --help --version" -- "$current")
+    return
+  fi
+  if [[ ${COMP_WORDS[1]} == help ]]; then
+    ((COMP_CWORD == 2)) && mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$current")
     return
   fi
   case $previous in
@@ -32,11 +36,11 @@ _vehicle() {
     case ${COMP_WORDS[1]} in
       check) words=$common ;;
       info) words="$common --gravity" ;;
-      simulate) words="$common --form --method $settings $sharing --output" ;;
+      simulate) words="$common --form --method $settings $sharing --output --overwrite" ;;
       modes) words="$common --form --gravity" ;;
       validate) words="$common --form --method $settings --serial --details --time-limit --allow-unjudged" ;;
-      profile) words="$common --form --method --speed --step $sharing $team --every --trace --timeline --realtime" ;;
-      study) words="$common --output --resume --jobs --best --write-best --export" ;;
+      profile) words="$common --form --method --speed --step $sharing $team --every --trace --timeline --overwrite --realtime" ;;
+      study) words="$common --output --resume --jobs --best --write-best --export --overwrite" ;;
       schema) words="--help --xsd --markdown" ;;
     esac
   fi

@@ -100,8 +100,9 @@ std::vector<int> lightestRuns(const std::vector<double>& cost, const std::vector
 
 Shares paperShares(const EquationSet& set, int threads) {
   const auto refuse = [](const std::string& what, const char* remedy = "take map auto or body") {
-    throw std::invalid_argument("map paper is the source paper's four threads for one vehicle of four equations; " +
-                                what + "; " + remedy);
+    throw std::invalid_argument(
+        "map paper divides the four equations of the source paper's vehicle among four threads; " + what + "; " +
+        remedy);
   };
   if (set.equations().size() != 4) {
     refuse("here are " + plural(static_cast<int>(set.equations().size()), "equation", "equations"));

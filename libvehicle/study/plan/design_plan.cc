@@ -56,7 +56,7 @@ Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignL
       case PlanKind::kLatinHypercube:
         made.points_ = static_cast<std::uint64_t>(plan.size.value_or(0));
         made.plan_.emplace<LatinHypercube>(made.points_, made.study_.factors.size(),
-                                           static_cast<std::uint64_t>(plan.seed));
+                                           static_cast<std::uint64_t>(plan.seed.value_or(kPlanSeed)));
         break;
       case PlanKind::kSobol:
       case PlanKind::kSaltelli:
@@ -95,7 +95,7 @@ bool DesignPlan::takeSequence(const Plan& plan, const Place& place, ProblemList&
     return false;
   }
   points_ = static_cast<std::uint64_t>(plan.size.value_or(0)) * (saltelli ? factors + 2 : 1);
-  SobolSequence sequence(dimensions, static_cast<std::uint64_t>(plan.seed));
+  SobolSequence sequence(dimensions, static_cast<std::uint64_t>(plan.seed.value_or(kPlanSeed)));
   if (saltelli) {
     plan_ = Saltelli{std::move(sequence)};
   } else {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "apps/cli/model_options.h"
+#include "libvehicle/simulate/simulate.h"
+
+namespace vehicle::cli {
+
+// Options of a run that would have no effect beside the others and the files given are refused, each with the reason
+// and what to do. All throw std::invalid_argument. `command` knows which options were given.
+
+/// Of one run: step, tolerances, speed, and how threads share it.
+void requireRunOptionsUsed(const CLI::App& command, const RunChoice& choice, const Model& model);
+
+/// --step, --rtol, --atol and --accuracy for runs by these methods.
+/// @param methods  all that will run
+/// @param why      the methods in words: "the method exact"
+void requireSettingsUsed(const CLI::App& command, const std::vector<std::string>& methods, const std::string& why);
+
+/// --speed, which a rig that lasts a time does not need.
+/// @param scenarios  all that will be run
+void requireSpeedUsed(const CLI::App& command, const std::vector<Scenario>& scenarios);
+
+/// --scheme and --map for a run on so many threads.
+void requireSharingUsed(const CLI::App& command, const RunChoice& choice);
+
+/// Options that only a run on several threads reads, where it is known to have one.
+void requireThreadsFor(const CLI::App& command, const std::vector<std::string>& options, const RunChoice& choice);
+
+}  // namespace vehicle::cli

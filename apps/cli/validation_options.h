@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "apps/cli/options.h"
+#include "libvehicle/project/suite_work.h"
+
+namespace vehicle::cli {
+
+/// One case, or all of a suite.
+struct ValidationWork {
+  SuiteWork cases;
+  bool is_suite = false;
+};
+
+/// Options of `validate` that would have no effect beside the others and the files given are refused: settings that no
+/// method reads, --speed on rigs, what is about shared runs where none is, --details where all is printed or nothing
+/// more is; and a form or method that is named twice.
+/// @param given  what the command line says, without the suite's forms and methods
+/// @throws std::invalid_argument  with the reason and what to do
+void requireValidationOptionsUsed(const CLI::App& command, const ValidationWork& work, const ValidationChoice& given,
+                                  const CommonOptions& common);
+
+}  // namespace vehicle::cli

@@ -30,6 +30,7 @@ struct Options {
 int simulateAndStore(const Options& options) {
   requireWritable(options.outputs);
   const Model model = readModel(options.files);
+  printNotes(notesOn(model.scenario), options.common);
   const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
   RunResult result;
   {

@@ -53,7 +53,7 @@ TEST(LongTrain, IsRefusedWhereItsKinksWouldFillTheMemory) {
   scenario.track->dips = {test::dip(DipShape::kHalfSine, 5e-3, 3.0, 40.0)};
   EXPECT_EQ(refusal(),
             "track.xml:3: error: <scenario><track>: 3000 wheelsets meet the rail's kinks one by one: 6001 pieces of "
-            "input would take 4.02 GiB; must be at most 1 GiB; take a shorter train or run, or fewer dips and ramps\n");
+            "input would take 4.02 GiB; must be at most 1 GiB; take a shorter train or run, or fewer dips, bumps and ramps\n");
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "apps/cli/options.h"
 #include "apps/cli/remarks.h"
 #include "libvehicle/project/check_file.h"
-#include "libvehicle/project/together.h"
 #include "libvehicle/xml/text_guard.h"
 
 namespace vehicle::cli {
@@ -42,18 +41,24 @@ std::vector<std::string> namesOf(std::vector<std::string> files, FileSource& sou
   return files;
 }
 
+/// Several vehicles may show the same mistake of a scenario.
+void appendNew(const ProblemList& found, ProblemList& problems) {
+  for (const Problem& each : found) {
+    const bool known = std::any_of(problems.begin(), problems.end(),
+                                   [&](const Problem& other) { return other.text() == each.text(); });
+    if (!known) problems.add(each);
+  }
+}
+
 int checkFiles(const std::vector<std::string>& files, const CommonOptions& common) {
   FileSource disk;
   std::vector<Judged> all;
   for (const std::string& file : namesOf(files, disk)) all.push_back({file, checkFile(file, disk)});
   // Every scenario given is held against every vehicle given.
   for (Judged& scenario : all) {
-    if (!scenario.found.scenario) continue;
-    for (const Judged& vehicle : all) {
-      if (!vehicle.found.vehicle) continue;
-      scenario.found.problems.append(
-          checkTogether(*vehicle.found.vehicle, *scenario.found.scenario, scenario.found.scenario->run.speed));
-    }
+    ProblemList found;
+    for (const Judged& vehicle : all) appendNew(checkPair(vehicle.found, scenario.found), found);
+    scenario.found.problems.append(found);
   }
   Table table{
       "files", {{"file", ""}, {"line", ""}, {"verdict", ""}, {"element", ""}, {"message", ""}, {"remedy", ""}}, {}};
@@ -70,11 +75,12 @@ int checkFiles(const std::vector<std::string>& files, const CommonOptions& commo
     if (common.format != Format::kTable) continue;
     std::cout << (found.problems.empty() ? file + ": ok\n" : found.problems.text());
   }
-  std::cout.flush();
-  printWarnings(warnings);
   Document document{{}, {table}, {}};
   addWarnings(warnings, common, document);
   if (common.format != Format::kTable) print(document, common.format, std::cout);
+  std::cout.flush();  // the verdicts stand before what is said about them
+  for (const Judged& judged : all) printNotes(judged.found.notes, common);
+  printWarnings(warnings);
   return right ? statusAfter(warnings, common) : kInputIsWrong;
 }
 
@@ -97,7 +103,8 @@ Action addCheck(CLI::App& program) {
   addCommonOptions(*command, options->common);
   command->footer(
       "Example: vehicle check models/vehicles/*.xml models/scenarios/*.xml\n"
-      "Problems go to stdout, one a line: FILE:LINE: error: ELEMENT: what is wrong; what to write instead.");
+      "Problems go to stdout, one a line: FILE:LINE: error: ELEMENT: what is wrong; what to write instead.\n"
+      "Warnings and notes about files without problems go to stderr.");
   return [options] { return checkFiles(options->files, options->common); };
 }
 

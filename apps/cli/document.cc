@@ -43,7 +43,7 @@ std::string forCsv(const std::string& text) {
 std::string forCsv(const Cell& cell) {
   return std::visit(
       Cases{[](std::monostate) { return std::string(); }, [](const std::string& text) { return forCsv(text); },
-            [](double number) { return fmt::format("{}", number); },
+            [](double number) { return fmt::format("{}", number + 0.0); },
             [](long number) { return fmt::format("{}", number); },
             [](bool yes) { return std::string(yes ? "true" : "false"); }},
       cell);
@@ -52,7 +52,7 @@ std::string forCsv(const Cell& cell) {
 Json forJson(const Cell& cell) {
   return std::visit(
       Cases{[](std::monostate) { return Json(nullptr); }, [](const std::string& text) { return Json(text); },
-            [](double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); },
+            [](double number) { return std::isfinite(number) ? Json(number + 0.0) : Json(nullptr); },
             [](long number) { return Json(number); }, [](bool yes) { return Json(yes); }},
       cell);
 }

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,7 +10,11 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/remarks.h"
+#include "apps/cli/vehicle_figures.h"
 #include "apps/cli/vehicle_tables.h"
+#include "libvehicle/definition/notes.h"
+#include "libvehicle/simulate/file_warnings.h"
 #include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
@@ -39,17 +44,29 @@ int printInfo(const Options& options) {
                                                {"unsprung mass", wheelsets / 1e3, "t"},
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
+  for (Fact& fact : loadFacts(vehicle, topology, rest, options.gravity)) document.facts.push_back(std::move(fact));
   document.tables = {bodyTable(vehicle, topology, rest),
                      wheelsetTable(topology, rest),
                      suspensionTable(topology, rest),
+                     carbodyTable(vehicle, topology, options.gravity),
                      formTable(vehicle),
-                     misfitTable(vehicle),
-                     unusedTable(vehicle)};
+                     misfitTable(vehicle)};
+  Table unused = unusedTable(vehicle);
+  if (options.common.format != Format::kTable) {
+    document.tables.push_back(std::move(unused));
+  } else if (!unused.rows.empty()) {
+    document.remarks.push_back(unusedLine(unused));
+  }
   if (!vehicle.units.empty()) {
     document.tables.insert(document.tables.begin(), unitTable(vehicle, topology, rest));
   }
+  const Warnings warnings = fileWarnings(vehicle, topology, rest, options.gravity);
+  addWarnings(warnings, options.common, document);
   print(document, options.common.format, std::cout);
-  return kDone;
+  std::cout.flush();
+  printNotes(notesOn(vehicle), options.common);
+  printWarnings(warnings);
+  return statusAfter(warnings, options.common);
 }
 
 }  // namespace
@@ -62,7 +79,7 @@ Action addInfo(CLI::App& program) {
   addGravity(*command, options->gravity);
   addCommonOptions(*command, options->common);
   command->footer(
-      "Rest positions count from unloaded springs; loads are static, compression positive.\n"
+      "Rest positions and deflections count from unloaded springs; loads are static, compression positive.\n"
       "Example: vehicle info models/vehicles/al-oraiqat-2017.xml");
   return [options] { return printInfo(*options); };
 }

@@ -9,6 +9,10 @@ void printNote(const std::string& text, const CommonOptions& common) {
   if (!common.quiet) std::cerr << "note: " << text << '\n';
 }
 
+void printNotes(const std::vector<Note>& notes, const CommonOptions& common) {
+  for (const Note& each : notes) printNote(each.line(), common);
+}
+
 void printWarnings(const Warnings& warnings) {
   for (const Warning& each : warnings) std::cerr << each.text() << '\n';
 }

@@ -1,16 +1,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/cli/document.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/options.h"
+#include "libvehicle/definition/notes.h"
 #include "libvehicle/diagnostics/warning.h"
 
 namespace vehicle::cli {
 
 /// A choice that the program made for the user, on stderr: "note: ...". It is never an error; --quiet leaves it out.
 void printNote(const std::string& text, const CommonOptions& common);
+
+/// The same for what the program makes of values of files.
+void printNotes(const std::vector<Note>& notes, const CommonOptions& common);
 
 /// Warnings, one line each on stderr, --quiet or not.
 void printWarnings(const Warnings& warnings);

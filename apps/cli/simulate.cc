@@ -37,6 +37,7 @@ int simulateAndStore(const Options& options, const CLI::App& command) {
   protectModel(guard, model);
   for (const std::string& output : options.outputs) guard.claim(output, "--output", OutputKind::kHistory);
   requireRunOptionsUsed(command, options.choice, model);
+  printNotes(notesOn(model.scenario), options.common);
   const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
   RunResult result;
   {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/cli/vehicle_figures.h"
 #include "libvehicle/simulate/forms.h"
 
 namespace vehicle::cli {
@@ -86,11 +87,15 @@ Table wheelsetTable(const Topology& topology, const Rest& rest) {
                {"contact stiffness", "MN/m"},
                {"motion", ""}},
               {}};
+  const std::vector<double> deviations = loadDeviations(topology, rest);
+  if (!deviations.empty()) table.columns.insert(table.columns.begin() + 4, {"from the mean", "%"});
   for (std::size_t i = 0; i < topology.wheelsets.size(); ++i) {
     const TopologyWheelset& wheelset = topology.wheelsets[i];
-    table.rows.push_back({wheelset.name, wheelset.x, orNothing(wheelset.mass / 1e3), rest.wheel_load[i] / 1e3,
-                          orNothing(rest.contact_stiffness[i] / 1e6),
-                          std::string(wheelset.z_index >= 0 ? "z" : "follows the rail")});
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row = {wheelset.name, wheelset.x, orNothing(wheelset.mass / 1e3), rest.wheel_load[i] / 1e3};
+    if (!deviations.empty()) row.emplace_back(1e2 * deviations[i]);
+    row.push_back(orNothing(rest.contact_stiffness[i] / 1e6));
+    row.emplace_back(std::string(wheelset.z_index >= 0 ? "z" : "follows the rail"));
   }
   return table;
 }
@@ -103,7 +108,8 @@ Table suspensionTable(const Topology& topology, const Rest& rest) {
                {"x", "m"},
                {"stiffness", "kN/m"},
                {"damping", "kN s/m"},
-               {"static load", "kN"}},
+               {"static load", "kN"},
+               {"rest deflection", "mm"}},
               {}};
   for (std::size_t i = 0; i < topology.suspensions.size(); ++i) {
     const TopologySuspension& each = topology.suspensions[i];
@@ -111,7 +117,8 @@ Table suspensionTable(const Topology& topology, const Rest& rest) {
                                   ? topology.bodies[static_cast<std::size_t>(each.lower_body)].name
                                   : topology.wheelsets[static_cast<std::size_t>(each.lower_wheelset)].name;
     table.rows.push_back({each.name, topology.bodies[static_cast<std::size_t>(each.upper)].name, lower, each.x,
-                          each.stiffness / 1e3, each.damping / 1e3, rest.suspension_load[i] / 1e3});
+                          each.stiffness / 1e3, each.damping / 1e3, rest.suspension_load[i] / 1e3,
+                          each.stiffness > 0.0 ? Cell(1e3 * rest.suspension_load[i] / each.stiffness) : Cell()});
   }
   return table;
 }
@@ -159,6 +166,28 @@ Table unusedTable(const Vehicle& vehicle) {
     if (suspension.y) table.rows.push_back({suspension.name, std::string("y"), fmt::format("{} m", *suspension.y)});
   }
   return table;
+}
+
+std::string unusedLine(const Table& unused) {
+  struct Use {
+    std::string attribute;
+    std::string part;  // the first
+    std::size_t count = 0;
+  };
+  std::vector<Use> uses;
+  for (const std::vector<Cell>& row : unused.rows) {
+    std::string attribute = std::get<std::string>(row[1]);
+    if (attribute == "motion") attribute += ' ' + std::get<std::string>(row[2]);
+    auto use = std::find_if(uses.begin(), uses.end(), [&](const Use& each) { return each.attribute == attribute; });
+    if (use == uses.end()) use = uses.insert(uses.end(), {attribute, std::get<std::string>(row[0]), 0});
+    ++use->count;
+  }
+  std::string line;
+  for (const Use& each : uses) {
+    line += line.empty() ? "not used by the planar forms: " : ", ";
+    line += each.attribute + " of " + (each.count == 1 ? each.part : std::to_string(each.count) + " parts");
+  }
+  return line;
 }
 
 }  // namespace vehicle::cli

@@ -12,9 +12,10 @@ namespace vehicle::cli {
 [[nodiscard]] Table unitTable(const Vehicle& train, const Topology& topology, const Rest& rest);
 /// Mass, inertia, place, motions, how far the body has come down at rest.
 [[nodiscard]] Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& rest);
-/// Place, mass, static load, how it meets the rail.
+/// Place, mass, static load and how far that is from the mean of its vehicle, where the loads differ; how it meets the
+/// rail.
 [[nodiscard]] Table wheelsetTable(const Topology& topology, const Rest& rest);
-/// Ends, place, both sides' stiffness and damping, static load.
+/// Ends, place, both sides' stiffness and damping, static load, how far that compresses it.
 [[nodiscard]] Table suspensionTable(const Topology& topology, const Rest& rest);
 /// Which forms fit.
 [[nodiscard]] Table formTable(const Vehicle& vehicle);
@@ -22,5 +23,7 @@ namespace vehicle::cli {
 [[nodiscard]] Table misfitTable(const Vehicle& vehicle);
 /// What the planar forms do not use: kept in the file for the vehicle in three dimensions.
 [[nodiscard]] Table unusedTable(const Vehicle& vehicle);
+/// The same in one line for people: "not used by the planar forms: y of 12 parts, roll_inertia of carbody".
+[[nodiscard]] std::string unusedLine(const Table& unused);
 
 }  // namespace vehicle::cli

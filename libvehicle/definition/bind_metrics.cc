@@ -1,6 +1,7 @@
 #include "libvehicle/definition/bind_metrics.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ class MetricBinder {
       Judge judge(problems_, "<study><metric>", "", each.origin);
       const std::optional<Metric> metric = parseMetric(each.name).metric;
       if (!metric) continue;
+      const std::size_t before = problems_.size();
       std::string_view unit;
       if (metric->kind == MetricKind::kColumn) {
         const auto found = std::find(columns.begin(), columns.end(), metric->subject);
@@ -50,8 +52,9 @@ class MetricBinder {
         judgeStatic(*metric, topology.suspensions.size(), at_rest, judge);
       }
       bound_.metrics.push_back({*metric, unitOf(*metric, unit), metric->kind == MetricKind::kColumn});
+      if (problems_.size() > before) wrong_.insert(metric->name);
     }
-    if (problems_.empty()) bindGoals();
+    bindGoals();
   }
 
  private:
@@ -73,19 +76,23 @@ class MetricBinder {
     }
   }
 
-  [[nodiscard]] std::size_t metricNamed(const std::string& name) const {
+  /// Its place among the metrics; nothing for one that is wrong or left out, which is reported already.
+  [[nodiscard]] std::optional<std::size_t> metricNamed(const std::string& name) const {
     const auto found = std::find_if(bound_.metrics.begin(), bound_.metrics.end(),
                                     [&](const BoundMetric& each) { return each.metric.name == name; });
+    if (found == bound_.metrics.end() || wrong_.contains(name)) return std::nullopt;
     return static_cast<std::size_t>(found - bound_.metrics.begin());
   }
 
   void bindGoals() {
     for (const Objective& each : study_.objectives) {
-      bound_.objectives.push_back({metricNamed(each.metric), each.goal, each.over});
+      if (const auto metric = metricNamed(each.metric)) bound_.objectives.push_back({*metric, each.goal, each.over});
     }
     for (const Limit& each : study_.limits) {
       Judge judge(problems_, "<study><limit>", each.metric, each.origin);
-      BoundLimit limit{metricNamed(each.metric), {}, {}};
+      const std::optional<std::size_t> metric = metricNamed(each.metric);
+      if (!metric) continue;
+      BoundLimit limit{*metric, {}, {}};
       const std::optional<Dimension> dimension = dimensionOf(bound_.metrics[limit.metric].unit);
       if (!dimension) continue;
       if (!each.below.empty()) limit.below = judge.quantity("below", each.below, *dimension);
@@ -102,6 +109,7 @@ class MetricBinder {
   const Vehicle& vehicle_;
   BoundStudy& bound_;
   ProblemList& problems_;
+  std::set<std::string> wrong_;  // names of metrics that the vehicle cannot give
 };
 
 }  // namespace

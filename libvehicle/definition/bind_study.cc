@@ -127,7 +127,7 @@ class Binder {
           .say("lists \"speed\", and a <vary> gives speeds that every design runs at", "remove one of them");
       return;
     }
-    Judge judge(problems_, "", "", header);
+    Judge judge(problems_, "", "", Origin{header, {}});
     const std::optional<std::size_t> index = indexOf(column.name, judge);
     if (!index) return;
     const ParsedQuantity one = parseQuantity("1 " + column.unit, bound_.parameters[*index].dimension);
@@ -176,7 +176,7 @@ class Binder {
     const Dimension dimension = vary.kind == Variation::kRelative ? Dimension::kNumber : own;
     if (!vary.values.empty()) {
       for (const std::string& text : listedIn(vary.values)) {
-        const std::optional<double> value = judge.quantity("values", text, dimension);
+        const std::optional<double> value = judge.quantity("values", vary.values, dimension, text);
         if (!value) return false;
         if (std::find(factor.levels.begin(), factor.levels.end(), *value) != factor.levels.end()) {
           judge.say(written("values", vary.values) + " has \"" + text + "\" twice", "write it once");
@@ -295,14 +295,15 @@ class Binder {
   void checkSettle() {
     if (study_.evaluation != Evaluation::kRun) return;
     for (const StudyCase& each : bound_.cases) {
+      if (!study_.origin.knows("settle")) return;
       Scenario scenario = scenarios_[each.scenario];
       scenario.run.speed = each.speed;
       const double duration = durationOf(scenario);
       if (study_.settle <= duration) continue;
-      Judge(problems_, "<study>", study_.name, study_.origin)
-          .say("settle = " + formatQuantity(study_.settle, Dimension::kTime) + " leaves nothing of the run over \"" +
-                   scenario.name + "\", which lasts " + formatQuantity(duration, Dimension::kTime),
-               "settle less, or run longer");
+      Judge settle(problems_, "<study>", study_.name, study_.origin);
+      settle.say(settle.written("settle", study_.settle, Dimension::kTime) + " leaves nothing of the run over \"" +
+                     scenario.name + "\", which lasts " + formatQuantity(duration, Dimension::kTime),
+                 "settle less, or run longer");
       return;
     }
   }

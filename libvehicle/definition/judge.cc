@@ -1,27 +1,51 @@
 #include "libvehicle/definition/judge.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
 namespace vehicle {
 
-Judge::Judge(ProblemList& problems, std::string_view path, std::string_view name, const Place& place)
-    : problems_(problems), path_(path), place_(place) {
-  if (place.line == 0 && !name.empty()) path_.insert(path_.size() - 1, " name=\"" + std::string(name) + '"');
+namespace {
+
+/// attribute="text" (default)
+std::string asInFile(const AttributeText& source) {
+  return written(source.written, source.text) + (source.given ? "" : " (default)");
+}
+
+}  // namespace
+
+Judge::Judge(ProblemList& problems, std::string_view path, std::string_view name, const Origin& origin)
+    : problems_(problems), path_(path), origin_(origin) {
+  if (origin.line == 0 && !name.empty()) path_.insert(path_.size() - 1, " name=\"" + std::string(name) + '"');
 }
 
 void Judge::say(std::string message, std::string remedy) {
-  problems_.add({place_, path_, std::move(message), std::move(remedy)});
+  problems_.add({origin_, path_, std::move(message), std::move(remedy)});
+}
+
+void Judge::sayOf(std::string_view attribute, std::string message, std::string remedy) {
+  Place place = origin_;
+  if (const AttributeText* source = origin_.find(attribute); source != nullptr && source->line > 0) {
+    place.line = source->line;
+  }
+  problems_.add({std::move(place), path_, std::move(message), std::move(remedy)});
+}
+
+bool Judge::knows(std::initializer_list<std::string_view> attributes) const {
+  return std::all_of(attributes.begin(), attributes.end(), [&](std::string_view each) { return origin_.knows(each); });
 }
 
 bool Judge::finite(std::string_view attribute, double value, Dimension dimension) {
+  if (!origin_.knows(attribute)) return false;
   if (!std::isfinite(value)) {
-    say(written(attribute, std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf"), "must be finite");
+    sayOf(attribute, vehicle::written(attribute, std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf"),
+          "must be finite");
     return false;
   }
   if (std::abs(value) > kLargest) {
-    say(written(attribute, value, dimension), "must be at most 1e60 in SI units");
+    sayOf(attribute, written(attribute, value, dimension), "must be at most 1e60 in SI units");
     return false;
   }
   return true;
@@ -30,16 +54,16 @@ bool Judge::finite(std::string_view attribute, double value, Dimension dimension
 bool Judge::positive(std::string_view attribute, double value, Dimension dimension) {
   if (!finite(attribute, value, dimension)) return false;
   if (value <= 0.0) {
-    say(written(attribute, value, dimension), "must be > 0");
+    sayOf(attribute, written(attribute, value, dimension), "must be > 0");
   } else if (value < kSmallest) {
-    say(written(attribute, value, dimension), "must be at least 1e-60 in SI units");
+    sayOf(attribute, written(attribute, value, dimension), "must be at least 1e-60 in SI units");
   }
   return value >= kSmallest;
 }
 
 bool Judge::notNegative(std::string_view attribute, double value, Dimension dimension) {
   if (!finite(attribute, value, dimension)) return false;
-  if (value < 0.0) say(written(attribute, value, dimension), "must be >= 0");
+  if (value < 0.0) sayOf(attribute, written(attribute, value, dimension), "must be >= 0");
   return value >= 0.0;
 }
 
@@ -55,14 +79,19 @@ bool Judge::notNegative(std::string_view attribute, std::optional<double> value,
   return !value || notNegative(attribute, *value, dimension);
 }
 
-std::optional<double> Judge::quantity(std::string_view attribute, const std::string& text, Dimension dimension) {
-  const ParsedQuantity parsed = parseQuantity(text, dimension);
+std::optional<double> Judge::quantity(std::string_view attribute, const std::string& text, Dimension dimension,
+                                      const std::string& item) {
+  if (!origin_.knows(attribute)) return std::nullopt;
+  const bool whole = item.empty() || item == text;
+  const ParsedQuantity parsed = parseQuantity(whole ? text : item, dimension);
   if (parsed.si && std::isfinite(*parsed.si)) return parsed.si;
-  say(written(attribute, text) + ' ' + parsed.message, parsed.remedy);
+  const std::string place = vehicle::written(attribute, text);
+  sayOf(attribute, (whole ? place : place + ": \"" + item + '"') + ' ' + parsed.message, parsed.remedy);
   return std::nullopt;
 }
 
 bool Judge::properName(const std::string& name) {
+  if (!origin_.knows("name")) return false;
   if (name.empty()) {
     say("has no name", "name=\"...\" is required");
     return false;
@@ -71,15 +100,32 @@ bool Judge::properName(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
   if (wrong == name.end()) return true;
-  say(written("name", name), "a name is made of the letters a-z and A-Z, digits, \"_\" and \"-\"");
+  say(vehicle::written("name", name), "a name is made of the letters a-z and A-Z, digits, \"_\" and \"-\"");
   return false;
 }
 
 bool Judge::partName(const std::string& name) {
   if (!properName(name)) return false;
   if (name != "scenario" && name != "speed") return true;
-  say(written("name", name), "the word has a meaning of its own in a study; choose another name");
+  say(vehicle::written("name", name), "the word has a meaning of its own in a study; choose another name");
   return false;
+}
+
+std::string Judge::written(std::string_view attribute, double value, Dimension dimension) const {
+  // Comparing with the file's text shows whether the value is still the file's.
+  const AttributeText* source = origin_.find(attribute);
+  if (source != nullptr && parseQuantity(source->text, dimension).si == value) return asInFile(*source);
+  return vehicle::written(attribute, value, dimension);
+}
+
+std::string Judge::written(std::string_view attribute, int value) const {
+  if (const AttributeText* source = origin_.find(attribute); source != nullptr) {
+    int said = 0;
+    const char* end = source->text.data() + source->text.size();
+    const auto [last, error] = std::from_chars(source->text.data(), end, said);
+    if (error == std::errc() && last == end && said == value) return asInFile(*source);
+  }
+  return vehicle::written(attribute, std::to_string(value));
 }
 
 std::string written(std::string_view attribute, double value, Dimension dimension) {
@@ -94,6 +140,18 @@ std::string written(std::string_view attribute, std::string_view text) {
 
 std::string inLine(const Place& place) {
   return place.line > 0 ? " (line " + std::to_string(place.line) + ')' : "";
+}
+
+std::string andIn(const std::vector<Place>& others) {
+  if (others.empty()) return "";
+  constexpr std::size_t kMostLines = 8;
+  std::string lines;
+  for (std::size_t i = 0; i < others.size() && i < kMostLines && others[i].line > 0; ++i) {
+    lines += (lines.empty() ? "" : ", ") + std::to_string(others[i].line);
+  }
+  if (others.size() > kMostLines && !lines.empty()) lines += ", ...";
+  return " (and in " + std::to_string(others.size()) + (others.size() == 1 ? " more place" : " more places") +
+         (lines.empty() ? ")" : (others.size() == 1 ? ": line " : ": lines ") + lines + ')');
 }
 
 }  // namespace vehicle

@@ -41,6 +41,31 @@ void addMember(std::vector<ScenarioParameter>& to, const Scenario& scenario, std
   }
 }
 
+/// The sine of that number, counted through all inputs of the rig.
+template <class Owner>
+auto& sineIn(Owner& scenario, std::size_t index) {
+  std::size_t input = 0;
+  for (; index >= scenario.rig->inputs[input].sines.size(); ++input) index -= scenario.rig->inputs[input].sines.size();
+  return scenario.rig->inputs[input].sines[index];
+}
+
+/// One attribute of all named sines of a rig.
+template <auto kMember>
+void addSine(std::vector<ScenarioParameter>& to, const Scenario& scenario, std::string_view attribute,
+             Dimension dimension) {
+  if (!scenario.rig) return;
+  std::size_t index = 0;
+  for (const RigInput& input : scenario.rig->inputs) {
+    for (const RigSine& sine : input.sines) {
+      const std::size_t own = index++;
+      if (sine.name.empty()) continue;
+      to.push_back({"scenario." + sine.name + '.' + std::string(attribute), dimension, own,
+                    [](const Scenario& owner, std::size_t place) { return numberIn(sineIn(owner, place), kMember); },
+                    [](Scenario& owner, std::size_t place, double si) { sineIn(owner, place).*kMember = si; }});
+    }
+  }
+}
+
 template <auto kMember>
 ScenarioParameter ofRun(std::string_view address, Dimension dimension) {
   return {std::string(address), dimension, 0,
@@ -96,9 +121,16 @@ std::vector<ScenarioParameter> parametersOf(const Scenario& scenario) {
   addMember<&Track::dips, &Dip::depth>(all, scenario, "depth", kLength);
   addMember<&Track::dips, &Dip::length>(all, scenario, "length", kLength);
   addMember<&Track::dips, &Dip::start>(all, scenario, "start", kLength);
+  addMember<&Track::bumps, &Bump::height>(all, scenario, "height", kLength);
+  addMember<&Track::bumps, &Bump::length>(all, scenario, "length", kLength);
+  addMember<&Track::bumps, &Bump::start>(all, scenario, "start", kLength);
   addMember<&Track::ramps, &Ramp::rise>(all, scenario, "rise", kLength);
   addMember<&Track::ramps, &Ramp::length>(all, scenario, "length", kLength);
   addMember<&Track::ramps, &Ramp::start>(all, scenario, "start", kLength);
+  addSine<&RigSine::amplitude>(all, scenario, "amplitude", kLength);
+  addSine<&RigSine::angular_frequency>(all, scenario, "angular_frequency", kAngularVelocity);
+  addSine<&RigSine::frequency>(all, scenario, "frequency", kFrequency);
+  addSine<&RigSine::phase>(all, scenario, "phase", kAngle);
   return all;
 }
 

@@ -17,7 +17,7 @@ namespace vehicle {
 ///     primary.stiffness_z, carbody.mass, front.x          part and attribute, as in the vehicle file
 ///     speed                                               of the scenario's run
 ///     scenario.gravity, .duration, .distance, .output_step, .fade_in
-///     scenario.NAME.amplitude                             a named member of the track and its attribute
+///     scenario.NAME.amplitude                             a named member of the track or sine of the rig
 /// It is bound to one arrangement of parts: good for every copy of that vehicle or scenario, whatever its numbers.
 template <class Owner>
 struct ParameterOf {

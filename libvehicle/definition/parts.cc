@@ -1,11 +1,12 @@
 #include "libvehicle/definition/parts.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "libvehicle/definition/judge.h"
+#include "libvehicle/definition/part_names.h"
 
 namespace vehicle {
 
@@ -44,120 +45,73 @@ void checkNames(const Vehicle& vehicle, const std::vector<Part>& parts, ProblemL
   }
 }
 
-/// Looks up what a part refers to; tells what is wrong with it.
+/// References that lead nowhere or to the wrong kind. A name that is missing is one mistake, however often it is used.
 class References {
  public:
-  References(const std::vector<Part>& parts, ProblemList& problems) : parts_(parts), problems_(problems) {
-    for (const Part& part : parts) by_name_.emplace(part.name, &part);
-  }
+  References(const PartNames& names, ProblemList& problems) : names_(names), problems_(problems) {}
 
-  void expect(const Part& from, std::string_view attribute, const std::string& name,
-              std::initializer_list<std::string_view> kinds) {
-    const auto fits = [&](const Part& part) { return std::find(kinds.begin(), kinds.end(), part.kind) != kinds.end(); };
-    const auto [begin, end] = by_name_.equal_range(name);
-    if (std::any_of(begin, end, [&](const auto& entry) { return fits(*entry.second); })) return;
-    complete_ = false;
-    std::string wanted;
-    for (const std::string_view kind : kinds) wanted += (wanted.empty() ? "" : " or ") + withArticle(kind);
-    wanted += " is expected";
-    Judge judge(problems_, from.path, from.name, from.place);
-    if (begin != end) {
-      const Part& other = *begin->second;
-      judge.say(written(attribute, name) + " is " + withArticle(other.kind) + inLine(other.place), wanted);
+  void expect(std::string_view kind, const auto& part, std::string_view attribute, const std::string& name,
+              PartNames::Kinds kinds) {
+    const Meaning meaning = names_.meaningOf(part.origin, attribute, name, kinds);
+    if (meaning.kind == Meaning::Kind::kExact || meaning.kind == Meaning::Kind::kNotKnown) return;
+    const bool wrong_kind = meaning.kind == Meaning::Kind::kWrongKind;
+    const auto [found, is_new] = places_.try_emplace(wrong_kind ? name + ' ' + std::string(attribute) : name, lost_.size());
+    if (!is_new) {
+      lost_[found->second].others.push_back(part.origin);
       return;
     }
-    // Comparing every lost name with every name of a huge file would take minutes; nobody reads so many.
-    constexpr int kSuggestions = 20;
-    std::vector<std::string> candidates;
-    for (const Part& part : parts_) {
-      if (suggested_ < kSuggestions && fits(part)) candidates.push_back(part.name);
+    std::string wanted;
+    for (const std::string_view each : kinds) wanted += (wanted.empty() ? "" : " or ") + withArticle(each);
+    Lost lost{pathOf(kind, part.group), part.name, part.origin, written(attribute, name), wanted + " is expected", {}};
+    if (wrong_kind) {
+      lost.message += " is " + withArticle(meaning.other->kind) + inLine(meaning.other->place);
+    } else {
+      lost.message += " names no part of this vehicle";
+      if (!meaning.name.empty()) lost.remedy += "; did you mean \"" + std::string(meaning.name) + "\"?";
     }
-    ++suggested_;
-    const auto nearest = nearestName(name, candidates);
-    judge.say(written(attribute, name) + " names no part of this vehicle",
-              nearest ? wanted + "; did you mean \"" + *nearest + "\"?" : wanted);
+    lost_.push_back(std::move(lost));
   }
 
-  [[nodiscard]] bool complete() const { return complete_; }
+  void report() {
+    for (const Lost& each : lost_) {
+      Judge(problems_, each.path, each.name, each.origin).say(each.message + andIn(each.others), each.remedy);
+    }
+  }
 
  private:
-  const std::vector<Part>& parts_;
+  struct Lost {
+    std::string path;
+    std::string name;
+    Origin origin;
+    std::string message;
+    std::string remedy;
+    std::vector<Place> others;
+  };
+
+  const PartNames& names_;
   ProblemList& problems_;
-  std::multimap<std::string_view, const Part*> by_name_;
-  int suggested_ = 0;
-  bool complete_ = true;
+  std::map<std::string, std::size_t> places_;  // of the lost names in lost_
+  std::vector<Lost> lost_;
 };
 
-template <class PartType>
-Part partOf(std::string_view kind, const PartType& part) {
-  return {kind, pathOf(kind, part.group), part.name, part.origin};
-}
-
-bool checkReferences(const Vehicle& vehicle, const std::vector<Part>& parts, ProblemList& problems) {
-  References references(parts, problems);
+void checkReferences(const Vehicle& vehicle, const PartNames& names, ProblemList& problems) {
+  References references(names, problems);
   const auto expectGroup = [&](std::string_view kind, const auto& part) {
-    if (!part.group.empty()) references.expect(partOf(kind, part), "group", part.group, {"group"});
+    if (!part.group.empty()) references.expect(kind, part, "group", part.group, {"group"});
   };
   for (const Body& body : vehicle.bodies) expectGroup("body", body);
   for (const Wheelset& wheelset : vehicle.wheelsets) expectGroup("wheelset", wheelset);
   for (const Suspension& suspension : vehicle.suspensions) {
-    const Part from = partOf("suspension", suspension);
     expectGroup("suspension", suspension);
-    references.expect(from, "element", suspension.element, {"element"});
-    references.expect(from, "upper", suspension.upper, {"body"});
-    references.expect(from, "lower", suspension.lower, {"body", "wheelset"});
+    references.expect("suspension", suspension, "element", suspension.element, {"element"});
+    references.expect("suspension", suspension, "upper", suspension.upper, {"body"});
+    references.expect("suspension", suspension, "lower", suspension.lower, {"body", "wheelset"});
   }
   for (const Point& point : vehicle.points) {
     expectGroup("point", point);
-    references.expect(partOf("point", point), "body", point.body, {"body"});
+    references.expect("point", point, "body", point.body, {"body"});
   }
-  return references.complete();
-}
-
-/// What springs hold up. Wheelsets stand by themselves, and so do bodies without the motion z.
-std::set<std::string_view> carriedParts(const Vehicle& vehicle) {
-  std::vector<std::string_view> standing;
-  for (const Wheelset& wheelset : vehicle.wheelsets) standing.push_back(wheelset.name);
-  for (const Body& body : vehicle.bodies) {
-    if (!moves(body, Motion::kZ)) standing.push_back(body.name);
-  }
-  std::set<std::string_view> stiff;
-  for (const Element& element : vehicle.elements) {
-    if (element.stiffness_z > 0.0) stiff.insert(element.name);
-  }
-  std::multimap<std::string_view, std::string_view> springs;
-  for (const Suspension& suspension : vehicle.suspensions) {
-    if (!stiff.contains(suspension.element)) continue;
-    springs.emplace(suspension.upper, suspension.lower);
-    springs.emplace(suspension.lower, suspension.upper);
-  }
-  std::set<std::string_view> carried;
-  while (!standing.empty()) {
-    const std::string_view part = standing.back();
-    standing.pop_back();
-    if (!carried.insert(part).second) continue;
-    const auto [begin, end] = springs.equal_range(part);
-    for (auto spring = begin; spring != end; ++spring) standing.push_back(spring->second);
-  }
-  return carried;
-}
-
-void checkCarried(const Vehicle& vehicle, ProblemList& problems) {
-  const std::set<std::string_view> carried = carriedParts(vehicle);
-  std::set<std::string_view> lowers;
-  for (const Suspension& suspension : vehicle.suspensions) lowers.insert(suspension.lower);
-  for (const Body& body : vehicle.bodies) {
-    if (carried.contains(body.name)) continue;
-    Judge(problems, pathOf("body", body.group), body.name, body.origin)
-        .say('"' + body.name + "\" stands on nothing: no chain of springs leads from it down to a wheelset",
-             "add a <suspension> under it whose element has stiffness_z > 0");
-  }
-  for (const Wheelset& wheelset : vehicle.wheelsets) {
-    if (lowers.contains(wheelset.name)) continue;
-    Judge(problems, pathOf("wheelset", wheelset.group), wheelset.name, wheelset.origin)
-        .say("nothing stands on \"" + wheelset.name + "\": no <suspension> names it as its lower",
-             "add the <suspension>, or remove the wheelset");
-  }
+  references.report();
 }
 
 }  // namespace
@@ -184,8 +138,10 @@ std::string withArticle(std::string_view kind) { return (kind.front() == 'e' ? "
 ProblemList checkTies(const Vehicle& vehicle) {
   ProblemList problems;
   const std::vector<Part> parts = partsOf(vehicle);
+  const PartNames names(vehicle, parts);
   checkNames(vehicle, parts, problems);
-  if (checkReferences(vehicle, parts, problems)) checkCarried(vehicle, problems);
+  checkReferences(vehicle, names, problems);
+  problems.append(checkCarried(vehicle, names));
   return problems;
 }
 

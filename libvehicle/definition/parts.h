@@ -13,7 +13,7 @@ struct Part {
   std::string_view kind;  // "body"
   std::string path;       // "<vehicle><group><body>"
   std::string name;
-  Place place;
+  Origin place;
 };
 
 /// All named parts in the order of the file (by line, then by kind).
@@ -26,7 +26,8 @@ struct Part {
 [[nodiscard]] std::string withArticle(std::string_view kind);
 
 /// What ties the parts together: names that are given twice, references that lead nowhere or to the wrong
-/// kind, parts that stand on nothing. The last is only judged where all references lead somewhere.
+/// kind, parts that stand on nothing. Where a name or a reference could not be read, or is wrong itself, what it may
+/// have meant is not reported a second time.
 [[nodiscard]] ProblemList checkTies(const Vehicle& vehicle);
 
 }  // namespace vehicle

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <numbers>
 #include <string_view>
 
 #include "libvehicle/definition/judge.h"
@@ -21,9 +21,9 @@ constexpr double kMostSamples = 1e7;
 void checkRun(const Scenario& scenario, ProblemList& problems) {
   const Run& run = scenario.run;
   Judge judge(problems, "<scenario><run>", "", run.origin);
-  const bool length_in_order = judge.positive("duration", run.duration, kTime) &&
-                               judge.positive("distance", run.distance, kLength);
-  if (!run.duration && !run.distance) {
+  const bool length_in_order =
+      judge.positive("duration", run.duration, kTime) && judge.positive("distance", run.distance, kLength);
+  if (!run.duration && !run.distance && judge.knows({"duration", "distance"})) {
     judge.say("has no duration and no distance", "give one of them, e.g. duration=\"10 s\"");
   } else if (run.duration && run.distance) {
     judge.say("has duration and distance", "give one of them");
@@ -36,13 +36,15 @@ void checkRun(const Scenario& scenario, ProblemList& problems) {
   if (run.duration.has_value() == run.distance.has_value()) return;
 
   const double duration = durationOf(scenario);
+  const std::string lasts = run.duration ? judge.written("duration", *run.duration, kTime)
+                                         : judge.written("distance", *run.distance, kLength) + " at " +
+                                               judge.written("speed", run.speed, kSpeed);
   if (run.output_step > duration) {
-    judge.say(written("output_step", run.output_step, kTime) + " is longer than the run, " +
-                  formatQuantity(duration, kTime),
+    judge.say(judge.written("output_step", run.output_step, kTime) + " is longer than the run, " + lasts,
               "make it at most that");
   } else if (duration / run.output_step > kMostSamples) {
-    judge.say(written("output_step", run.output_step, kTime) + " makes more than 10000000 samples of " +
-                  formatQuantity(duration, kTime),
+    judge.say(judge.written("output_step", run.output_step, kTime) + " makes more than 10000000 samples of the run, " +
+                  lasts,
               "make it at least " + formatQuantity(duration / kMostSamples, kTime));
   }
 }
@@ -66,90 +68,120 @@ class MemberNames {
 };
 
 void checkStart(const Track& track, double start, Judge& judge) {
-  if (!judge.finite("start", start, kLength) || track.history != History::kOnset || start >= 0.0) return;
-  judge.say(written("start", start, kLength) + " lies before s = 0, where history=\"onset\" keeps the rail flat",
+  if (!judge.finite("start", start, kLength) || !track.origin.knows("history")) return;
+  if (track.history != History::kOnset || start >= 0.0) return;
+  judge.say(judge.written("start", start, kLength) +
+                " lies before s = 0, where history=\"onset\" keeps the rail flat",
             "start at 0 or beyond, or take history=\"extended\"");
 }
 
-/// With onset the rail is flat before s = 0: a profile that does not begin at 0 would jump there.
+/// With onset the rail is flat before s = 0: a profile that does not begin at 0 would jump there. Each rail for itself:
+/// what cancels in the mean of both is a jump of each.
 void checkOnset(const Track& track, ProblemList& problems) {
-  if (track.history != History::kOnset || track.fade_in) return;
-  double jump = 0.0;
-  double size = 0.0;
-  const Harmonic* culprit = nullptr;
-  for (const Harmonic& harmonic : track.harmonics) {
-    const double height = harmonic.amplitude * std::sin(harmonic.phase);
-    if (culprit == nullptr || std::abs(height) > std::abs(culprit->amplitude * std::sin(culprit->phase))) {
-      culprit = &harmonic;
+  if (track.history != History::kOnset || track.fade_in || !track.origin.knows("history") ||
+      !track.origin.knows("fade_in")) {
+    return;
+  }
+  for (const RailSide side : {RailSide::kLeft, RailSide::kRight}) {
+    double jump = 0.0;
+    double size = 0.0;
+    double largest = -1.0;
+    const Harmonic* culprit = nullptr;
+    for (const Harmonic& harmonic : track.harmonics) {
+      if (harmonic.rail != RailSide::kBoth && harmonic.rail != side) continue;
+      const double height = harmonic.amplitude * std::sin(harmonic.phase);
+      if (std::abs(height) > largest) culprit = &harmonic;
+      largest = std::max(largest, std::abs(height));
+      jump += height;
+      size += std::abs(harmonic.amplitude);
     }
-    jump += height;
-    size += std::abs(harmonic.amplitude);
+    // A phase of pi is a rounded number; what its sine leaves over is no jump.
+    constexpr double kRounding = 1e-12;
+    if (culprit == nullptr || !(std::abs(jump) > kRounding * size)) continue;
+    Judge judge(problems, "<scenario><track><harmonic>", culprit->name, culprit->origin);
+    judge.say(judge.written("phase", culprit->phase, kAngle) + " makes the rail jump where history=\"onset\" begins",
+              "give the track fade_in=\"50 m\", or take history=\"extended\"");
+    return;  // reported once, whichever rail it is
   }
-  // A phase of pi is a rounded number; what its sine leaves over is no jump.
-  constexpr double kRounding = 1e-12;
-  if (culprit == nullptr || !(std::abs(jump) > kRounding * size)) return;
-  Judge(problems, "<scenario><track><harmonic>", culprit->name, culprit->origin)
-      .say(written("phase", culprit->phase, kAngle) + " makes the rail jump where history=\"onset\" begins",
-           "give the track fade_in=\"50 m\", or take history=\"extended\"");
 }
 
-void checkTrack(const Track& track, ProblemList& problems) {
-  Judge whole(problems, "<scenario><track>", "", track.origin);
-  whole.positive("fade_in", track.fade_in, kLength);
-  if (track.fade_in && track.history != History::kOnset) {
-    whole.say("has fade_in with history=\"extended\"", "leave fade_in out, or take history=\"onset\"");
+class TrackCheck {
+ public:
+  TrackCheck(const Track& track, ProblemList& problems) : track_(track), problems_(problems), names_(problems) {}
+
+  void run() {
+    Judge whole(problems_, "<scenario><track>", "", track_.origin);
+    whole.positive("fade_in", track_.fade_in, kLength);
+    if (track_.fade_in && track_.history != History::kOnset && whole.knows({"history"})) {
+      whole.say("has fade_in with history=\"extended\"", "leave fade_in out, or take history=\"onset\"");
+    }
+    bool in_order = true;
+    for (const Harmonic& harmonic : track_.harmonics) {
+      Judge judge = judgeOf("harmonic", harmonic);
+      judge.positive("wavelength", harmonic.wavelength, kLength);
+      judge.positive("order", harmonic.order, kNumber);
+      in_order = judge.finite("amplitude", harmonic.amplitude, kLength) && in_order;
+      in_order = judge.finite("phase", harmonic.phase, kAngle) && judge.knows({"rail"}) && in_order;
+    }
+    for (const Dip& dip : track_.dips) checkFeature("dip", dip, "depth", dip.depth);
+    for (const Bump& bump : track_.bumps) checkFeature("bump", bump, "height", bump.height);
+    for (const Ramp& ramp : track_.ramps) checkFeature("ramp", ramp, "rise", ramp.rise);
+    if (in_order) checkOnset(track_, problems_);
   }
-  MemberNames names(problems);
-  bool in_order = true;
-  for (const Harmonic& harmonic : track.harmonics) {
-    constexpr std::string_view kPath = "<scenario><track><harmonic>";
-    names.add(kPath, harmonic.name, harmonic.origin);
-    Judge judge(problems, kPath, harmonic.name, harmonic.origin);
-    judge.positive("wavelength", harmonic.wavelength, kLength);
-    judge.positive("order", harmonic.order, kNumber);
-    in_order = judge.finite("amplitude", harmonic.amplitude, kLength) && in_order;
-    in_order = judge.finite("phase", harmonic.phase, kAngle) && in_order;
+
+ private:
+  template <class Member>
+  Judge judgeOf(std::string_view element, const Member& member) {
+    const std::string path = "<scenario><track><" + std::string(element) + '>';
+    names_.add(path, member.name, member.origin);
+    return Judge(problems_, path, member.name, member.origin);
   }
-  for (const Dip& dip : track.dips) {
-    constexpr std::string_view kPath = "<scenario><track><dip>";
-    names.add(kPath, dip.name, dip.origin);
-    Judge judge(problems, kPath, dip.name, dip.origin);
-    judge.finite("depth", dip.depth, kLength);
-    judge.positive("length", dip.length, kLength);
-    checkStart(track, dip.start, judge);
+
+  template <class Member>
+  void checkFeature(std::string_view element, const Member& member, std::string_view height_name, double height) {
+    Judge judge = judgeOf(element, member);
+    judge.finite(height_name, height, kLength);
+    judge.positive("length", member.length, kLength);
+    checkStart(track_, member.start, judge);
   }
-  for (const Ramp& ramp : track.ramps) {
-    constexpr std::string_view kPath = "<scenario><track><ramp>";
-    names.add(kPath, ramp.name, ramp.origin);
-    Judge judge(problems, kPath, ramp.name, ramp.origin);
-    judge.finite("rise", ramp.rise, kLength);
-    judge.positive("length", ramp.length, kLength);
-    checkStart(track, ramp.start, judge);
+
+  const Track& track_;
+  ProblemList& problems_;
+  MemberNames names_;
+};
+
+void checkSine(const RigSine& sine, MemberNames& names, ProblemList& problems) {
+  constexpr std::string_view kPath = "<scenario><rig><input><sine>";
+  names.add(kPath, sine.name, sine.origin);
+  Judge judge(problems, kPath, sine.name, sine.origin);
+  judge.finite("amplitude", sine.amplitude, kLength);
+  judge.positive("angular_frequency", sine.angular_frequency, kAngularVelocity);
+  judge.positive("frequency", sine.frequency, kFrequency);
+  if (!sine.angular_frequency && !sine.frequency && judge.knows({"angular_frequency", "frequency"})) {
+    judge.say("has no frequency", "give it, e.g. frequency=\"0.8 Hz\" or angular_frequency=\"5 rad/s\"");
+  } else if (sine.angular_frequency && sine.frequency) {
+    judge.say("has angular_frequency and frequency", "give one of them");
   }
-  if (in_order) checkOnset(track, problems);
+  judge.finite("phase", sine.phase, kAngle);
 }
 
-void checkRig(const Rig& rig, ProblemList& problems) {
+void checkRig(const Rig& rig, bool strange, ProblemList& problems) {
   std::map<std::string_view, const RigInput*> seen;
+  MemberNames names(problems);
   for (const RigInput& input : rig.inputs) {
     Judge judge(problems, "<scenario><rig><input>", "", input.origin);
-    if (input.wheelset.empty()) {
+    if (input.wheelset.empty() && judge.knows({"wheelset"})) {
       judge.say("wheelset is empty", "name the wheelset it drives, e.g. wheelset=\"wheelset_1\"");
     }
     const auto [first, fresh] = seen.try_emplace(input.wheelset, &input);
-    if (!fresh && !input.wheelset.empty()) {
+    if (!fresh && !input.wheelset.empty() && judge.knows({"wheelset"})) {
       judge.say(written("wheelset", input.wheelset) + " has an input already" + inLine(first->second->origin),
                 "put all its sines into one <input>");
     }
-    if (input.sines.empty()) {
+    if (input.sines.empty() && !strange) {
       judge.say("has no <sine>", "add one, or remove the input: a wheelset without input stays at 0");
     }
-    for (const RigSine& sine : input.sines) {
-      Judge each(problems, "<scenario><rig><input><sine>", "", sine.origin);
-      each.finite("amplitude", sine.amplitude, kLength);
-      each.positive("angular_frequency", sine.angular_frequency, kAngularVelocity);
-      each.finite("phase", sine.phase, kAngle);
-    }
+    for (const RigSine& sine : input.sines) checkSine(sine, names, problems);
   }
 }
 
@@ -157,21 +189,22 @@ void checkInitialState(const Scenario& scenario, ProblemList& problems) {
   const InitialState& state = scenario.initial_state;
   Judge whole(problems, "<scenario><initial_state>", "", state.origin);
   if (state.from == InitialRest::kPeriodic && scenario.track) {
-    if (scenario.track->history != History::kExtended) {
+    if (scenario.track->history != History::kExtended && scenario.track->origin.knows("history")) {
       whole.say("from=\"periodic\" with history=\"onset\"",
                 "a steady state needs a rail that has always been there: history=\"extended\"");
     }
-    if (!scenario.track->dips.empty() || !scenario.track->ramps.empty()) {
-      whole.say("from=\"periodic\" on a track with dips or ramps",
+    if (hasSingleFeatures(*scenario.track)) {
+      whole.say("from=\"periodic\" on a track with dips, bumps or ramps",
                 "a steady state needs a track of harmonics only; from=\"zero\" or \"on_rail\" go with all");
     }
   }
   std::map<std::string_view, const InitialBody*> seen;
   for (const InitialBody& body : state.bodies) {
     Judge judge(problems, "<scenario><initial_state><body>", body.name, body.origin);
-    if (body.name.empty()) judge.say("has no name", "name the body or wheelset, e.g. name=\"carbody\"");
+    const bool named = judge.knows({"name"});
+    if (body.name.empty() && named) judge.say("has no name", "name the body or wheelset, e.g. name=\"carbody\"");
     const auto [first, fresh] = seen.try_emplace(body.name, &body);
-    if (!fresh && !body.name.empty()) {
+    if (!fresh && !body.name.empty() && named) {
       judge.say(written("name", body.name) + " is listed twice" + inLine(first->second->origin), "list it once");
     }
     judge.finite("z", body.z, kLength);
@@ -183,6 +216,14 @@ void checkInitialState(const Scenario& scenario, ProblemList& problems) {
 
 }  // namespace
 
+double angularFrequencyOf(const RigSine& sine) {
+  return sine.frequency ? 2.0 * std::numbers::pi * *sine.frequency : sine.angular_frequency.value_or(0.0);
+}
+
+bool hasSingleFeatures(const Track& track) {
+  return !track.dips.empty() || !track.bumps.empty() || !track.ramps.empty();
+}
+
 double durationOf(const Scenario& scenario) {
   if (scenario.run.duration) return *scenario.run.duration;
   return scenario.run.distance.value_or(0.0) / scenario.run.speed;
@@ -193,14 +234,15 @@ ProblemList check(const Scenario& scenario) {
   Judge judge(problems, "<scenario>", scenario.name, scenario.origin);
   judge.properName(scenario.name);
   judge.notNegative("gravity", scenario.gravity, kAcceleration);
-  if (!scenario.track && !scenario.rig) {
+  if (!scenario.track && !scenario.rig && !scenario.origin.hasStrange()) {
     judge.say("has no <track> and no <rig>", "give one of them; <track history=\"onset\"/> is a straight, even track");
-  } else if (scenario.track && scenario.rig) {
+  }
+  if (scenario.track && scenario.rig) {
     judge.say("has a <track> and a <rig>", "give one of them");
   }
   checkRun(scenario, problems);
-  if (scenario.track) checkTrack(*scenario.track, problems);
-  if (scenario.rig) checkRig(*scenario.rig, problems);
+  if (scenario.track) TrackCheck(*scenario.track, problems).run();
+  if (scenario.rig) checkRig(*scenario.rig, scenario.origin.hasStrange(), problems);
   checkInitialState(scenario, problems);
   problems.sortByPlace();
   return problems;

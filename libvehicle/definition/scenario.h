@@ -17,6 +17,16 @@ enum class History {
   kExtended,  // the profile exists for all s
 };
 
+/// Which rail a member of the track lies on. Planar forms see the mean of both: a member of one rail counts half.
+enum class RailSide {
+  kBoth,
+  kLeft,
+  kRight,
+};
+
+/// Share of a member in the mean of both rails: 1/2 of a member that lies on one of them.
+[[nodiscard]] constexpr double shareOf(RailSide rail) { return rail == RailSide::kBoth ? 1.0 : 0.5; }
+
 /// height = amplitude sin(2 pi order s / wavelength + phase)
 struct Harmonic {
   std::string name;
@@ -24,14 +34,15 @@ struct Harmonic {
   double order = 1.0;       // [-]    > 0
   double amplitude = 0.0;   // [m]
   double phase = 0.0;       // [rad]
-  std::vector<ReservedQuantity> reserved;  // rail
+  RailSide rail = RailSide::kBoth;
   Origin origin;
   bool operator==(const Harmonic&) const = default;
 };
 
+/// Form of a dip or a bump of height h, positive upward; x = (s - start)/length from 0 to 1.
 enum class DipShape {
-  kOneMinusCosine,  // -depth/2 (1 - cos(2 pi (s - start)/length))
-  kHalfSine,        // -depth sin(pi (s - start)/length)
+  kOneMinusCosine,  // h/2 (1 - cos(2 pi x))
+  kHalfSine,        // h sin(pi x)
 };
 
 struct Dip {
@@ -40,9 +51,21 @@ struct Dip {
   double depth = 0.0;   // [m] positive downward
   double length = 0.0;  // [m] > 0
   double start = 0.0;   // [m]
-  std::vector<ReservedQuantity> reserved;  // rail
+  RailSide rail = RailSide::kBoth;
   Origin origin;
   bool operator==(const Dip&) const = default;
+};
+
+/// A dip turned upward: the same shapes.
+struct Bump {
+  std::string name;
+  DipShape shape = DipShape::kOneMinusCosine;
+  double height = 0.0;  // [m] positive upward
+  double length = 0.0;  // [m] > 0
+  double start = 0.0;   // [m]
+  RailSide rail = RailSide::kBoth;
+  Origin origin;
+  bool operator==(const Bump&) const = default;
 };
 
 /// Linear by `rise` over `length` from `start`, constant afterwards.
@@ -51,7 +74,7 @@ struct Ramp {
   double rise = 0.0;    // [m] positive upward
   double length = 0.0;  // [m] > 0
   double start = 0.0;   // [m]
-  std::vector<ReservedQuantity> reserved;  // rail
+  RailSide rail = RailSide::kBoth;
   Origin origin;
   bool operator==(const Ramp&) const = default;
 };
@@ -63,18 +86,24 @@ struct Track {
   std::vector<Harmonic> harmonics;
   std::vector<Dip> dips;
   std::vector<Ramp> ramps;
+  std::vector<Bump> bumps;
   Origin origin;
   bool operator==(const Track&) const = default;
 };
 
-/// height = amplitude sin(angular_frequency t + phase), for all t
+/// height = amplitude sin(w t + phase), for all t; w = angular_frequency or 2 pi frequency
 struct RigSine {
-  double amplitude = 0.0;          // [m]
-  double angular_frequency = 0.0;  // [rad/s] > 0
-  double phase = 0.0;              // [rad]
+  std::string name;
+  double amplitude = 0.0;                   // [m]
+  std::optional<double> angular_frequency;  // [rad/s] > 0; exactly one of the two
+  std::optional<double> frequency;          // [Hz] > 0
+  double phase = 0.0;                       // [rad]
   Origin origin;
   bool operator==(const RigSine&) const = default;
 };
+
+/// w [rad/s] of a sine that gives one of the two.
+[[nodiscard]] double angularFrequencyOf(const RigSine& sine);
 
 /// What a rig does under one wheelset: the sum of its sines. Wheelsets without input stay at 0.
 struct RigInput {
@@ -136,12 +165,15 @@ struct Scenario {
   bool operator==(const Scenario&) const = default;
 };
 
+/// Whether the track has members that a vehicle meets once: then there is no steady state.
+[[nodiscard]] bool hasSingleFeatures(const Track& track);
+
 /// Time the run lasts [s]: duration, or distance / speed.
 [[nodiscard]] double durationOf(const Scenario& scenario);
 
-/// Contradictions within the scenario.
+/// Contradictions within the scenario. With history="onset" each rail must begin at 0, not only their mean.
 [[nodiscard]] ProblemList check(const Scenario& scenario);
-/// Names in the scenario that the vehicle does not have (rig inputs, initial state).
+/// Names in the scenario that the vehicle does not have (rig inputs, initial state), as far as both could be read.
 [[nodiscard]] ProblemList check(const Scenario& scenario, const struct Vehicle& vehicle);
 /// All of it before a run: the vehicle, the scenario, and where each is right the two together.
 /// @throws InvalidInput  all problems that were found

@@ -35,7 +35,7 @@ void checkInputs(const Rig& rig, const Vehicle& vehicle, ProblemList& problems) 
   std::vector<std::string> wheelsets;
   append(wheelsets, vehicle.wheelsets);
   for (const RigInput& input : rig.inputs) {
-    if (find(vehicle.wheelsets, input.wheelset) != nullptr) continue;
+    if (find(vehicle.wheelsets, input.wheelset) != nullptr || !input.origin.knows("wheelset")) continue;
     Judge(problems, "<scenario><rig><input>", "", input.origin)
         .say(written("wheelset", input.wheelset) + " names no wheelset of the vehicle \"" + vehicle.name + '"',
              orNearest("a rig drives wheelsets", input.wheelset, wheelsets));
@@ -45,13 +45,14 @@ void checkInputs(const Rig& rig, const Vehicle& vehicle, ProblemList& problems) 
 /// A value for a motion that the part does not have would be lost without a word. 0 says nothing and is free.
 void checkStill(Judge& judge, std::string_view attribute, double value, Dimension dimension, bool moving,
                 const std::string& name, std::string_view motion) {
-  if (moving || value == 0.0) return;
-  judge.say(written(attribute, value, dimension) + ", but \"" + name + "\" has no motion " + std::string(motion),
+  if (moving || value == 0.0 || !judge.knows({attribute})) return;
+  judge.say(judge.written(attribute, value, dimension) + ", but \"" + name + "\" has no motion " + std::string(motion),
             "leave it out");
 }
 
 void checkInitialBody(const InitialBody& initial, const Vehicle& vehicle, const std::vector<std::string>& names,
                       ProblemList& problems) {
+  if (!initial.origin.knows("name")) return;
   Judge judge(problems, "<scenario><initial_state><body>", initial.name, initial.origin);
   const Body* body = find(vehicle.bodies, initial.name);
   const Wheelset* wheelset = find(vehicle.wheelsets, initial.name);
@@ -60,11 +61,13 @@ void checkInitialBody(const InitialBody& initial, const Vehicle& vehicle, const 
               orNearest("bodies and wheelsets have an initial state", initial.name, names));
     return;
   }
-  if (wheelset != nullptr && !hasOwnMotion(*wheelset)) {
+  if (wheelset != nullptr && !hasOwnMotion(*wheelset) && wheelset->origin.knowsAll()) {
     judge.say(written("name", initial.name) + " is a wheelset that follows the rail",
               "only one with mass and contact has a state of its own");
     return;
   }
+  // What moves in a part that could not be read is open.
+  if (!(wheelset != nullptr ? wheelset->origin : body->origin).knowsAll()) return;
   const bool rises = wheelset != nullptr || moves(*body, Motion::kZ);
   const bool pitches = wheelset == nullptr && moves(*body, Motion::kPitch);
   checkStill(judge, "z", initial.z, kLength, rises, initial.name, "z");
@@ -77,6 +80,11 @@ void checkInitialBody(const InitialBody& initial, const Vehicle& vehicle, const 
 
 ProblemList check(const Scenario& scenario, const Vehicle& vehicle) {
   ProblemList problems;
+  const auto named = [](const auto& part) { return part.origin.knows("name"); };
+  if (vehicle.origin.hasStrange() || !std::all_of(vehicle.bodies.begin(), vehicle.bodies.end(), named) ||
+      !std::all_of(vehicle.wheelsets.begin(), vehicle.wheelsets.end(), named)) {
+    return problems;  // a name that the vehicle seems to lack may be one that could not be read
+  }
   if (scenario.rig) checkInputs(*scenario.rig, vehicle, problems);
   std::vector<std::string> names;
   append(names, vehicle.bodies);

@@ -17,6 +17,7 @@ PlanKind planOf(const Study& study) { return study.plan ? study.plan->kind : Pla
 
 /// Judges the addresses of one parameter="..." and says whether all have a form.
 bool checkAddresses(const std::string& parameter, Judge& judge) {
+  if (!judge.knows({"parameter"})) return false;
   if (parameter.empty()) {
     judge.say("parameter is empty", "name one, e.g. parameter=\"primary.stiffness_z\"");
     return false;
@@ -43,13 +44,18 @@ class Checks {
     judge.properName(study_.name);
     judge.notNegative("settle", study_.settle, Dimension::kTime);
     if (study_.evaluation == Evaluation::kSteadyState && study_.settle > 0.0) {
-      judge.say(written("settle", study_.settle, Dimension::kTime) +
+      judge.say(judge.written("settle", study_.settle, Dimension::kTime) +
                     " has no effect with evaluation=\"steady_state\", which has no start to leave out",
                 "remove settle, or take evaluation=\"run\"");
     }
-    if (study_.vehicle.file.empty()) judge.say("has no <vehicle>", "name one, e.g. <vehicle file=\"coach.xml\"/>");
-    if (study_.scenarios.empty()) judge.say("has no <scenario>", "a study has at least one");
-    if (study_.metrics.empty()) judge.say("has no <metric>", "name what is compared, e.g. carbody.az.rms");
+    const bool strange = study_.origin.hasStrange();
+    if (study_.vehicle.file.empty() && study_.vehicle.origin.knows("file")) {
+      judge.say("has no <vehicle>", "name one, e.g. <vehicle file=\"coach.xml\"/>");
+    }
+    if (study_.scenarios.empty() && !strange) judge.say("has no <scenario>", "a study has at least one");
+    if (study_.metrics.empty() && !strange) {
+      judge.say("has no <metric>", "name what is compared, e.g. carbody.az.rms");
+    }
     scenarios();
     for (const Vary& vary : study_.varies) checkVary(vary);
     plan(judge);
@@ -67,6 +73,7 @@ class Checks {
     std::map<std::string, Origin> seen;
     for (const FileReference& each : study_.scenarios) {
       Judge judge(problems_, "<study><scenario>", "", each.origin);
+      if (!judge.knows({"file"})) continue;
       if (each.file.empty()) judge.say("file is empty", "name a file, e.g. file=\"../scenarios/track.xml\"");
       const auto [first, fresh] = seen.try_emplace(each.file, each.origin);
       if (fresh || each.file.empty()) continue;
@@ -84,6 +91,7 @@ class Checks {
         }
       }
     }
+    if (!judge.knows({"from", "to", "count", "values"})) return;
     const bool range = !vary.from.empty() || !vary.to.empty() || vary.count;
     if (range && !vary.values.empty()) {
       judge.say("has a range and a list of values", "give from and to, or values");
@@ -94,7 +102,7 @@ class Checks {
         if (value.empty())
           judge.say(written("values", vary.values) + " has an empty item", "put one comma between two");
       }
-      if (vary.spacing == Spacing::kLogarithmic) judge.say("has spacing with a list of values", "remove spacing");
+      if (vary.spacing == Spacing::kLogarithmic && judge.knows({"spacing"})) judge.say("has spacing with a list of values", "remove spacing");
       return;
     }
     if (vary.from.empty() || vary.to.empty()) {
@@ -102,9 +110,10 @@ class Checks {
       return;
     }
     if (vary.count && (*vary.count < 2 || *vary.count > kMostSteps)) {
-      judge.say(written("count", std::to_string(*vary.count)), "must be 2..1000000; both ends of a range count");
+      judge.say(judge.written("count", *vary.count), "must be 2..1000000; both ends of a range count");
     }
-    if (!vary.count && !study_.search && planOf(study_) == PlanKind::kGrid) {
+    const bool grid = planOf(study_) == PlanKind::kGrid && (!study_.plan || study_.plan->origin.knows("kind"));
+    if (!vary.count && !study_.search && grid && !study_.origin.hasStrange()) {
       judge.say("has no count", "a grid needs the number of its steps, e.g. count=\"11\"");
     }
   }
@@ -112,7 +121,8 @@ class Checks {
   void plan(Judge& whole) {
     std::size_t factors = 0;
     for (const Vary& vary : study_.varies) factors += givesSpeeds(vary) ? 0 : 1;
-    if (study_.designs.empty() && study_.varies.empty() && planOf(study_) != PlanKind::kList) {
+    const bool strange = study_.origin.hasStrange();
+    if (study_.designs.empty() && study_.varies.empty() && planOf(study_) != PlanKind::kList && !strange) {
       whole.say("has no <vary> and no <design>", "say what is compared: a study has at least one of them");
     }
     if (!study_.plan) return;
@@ -120,20 +130,21 @@ class Checks {
     Judge judge(problems_, "<study><plan>", "", plan.origin);
     if (study_.search) judge.say("stands beside a <search>", "a search chooses its designs itself; remove one of them");
     const bool samples = plan.kind != PlanKind::kGrid && plan.kind != PlanKind::kList;
-    if (plan.seed && *plan.seed < 0) {
-      judge.say(written("seed", std::to_string(*plan.seed)), "must be >= 0");
-    } else if (plan.seed && !samples) {
-      judge.say(written("seed", std::to_string(*plan.seed)) + " has no effect: a " +
+    if (plan.seed && *plan.seed < 0 && judge.knows({"seed"})) {
+      judge.say(judge.written("seed", *plan.seed), "must be >= 0");
+    } else if (plan.seed && !samples && judge.knows({"kind"})) {
+      judge.say(judge.written("seed", *plan.seed) + " has no effect: a " +
                     (plan.kind == PlanKind::kGrid ? "grid" : "list") + " draws nothing",
                 "remove seed, or take a kind that samples: latin_hypercube, sobol, saltelli");
     }
+    if (!judge.knows({"kind", "size", "file"})) return;
     if (samples && !plan.size) judge.say("has no size", "say how many designs, e.g. size=\"1000\"");
     if (!samples && plan.size) {
       judge.say("has size", plan.kind == PlanKind::kGrid ? "the counts of the ranges make the size of a grid"
                                                          : "the rows of the file make the size of a list");
     }
-    if (plan.size && *plan.size < 1) judge.say(written("size", std::to_string(*plan.size)), "must be >= 1");
-    if (samples && factors == 0) {
+    if (plan.size && *plan.size < 1) judge.say(judge.written("size", *plan.size), "must be >= 1");
+    if (samples && factors == 0 && !strange) {
       judge.say("has nothing to sample", "add a <vary>; a speed with count or values is run by every design");
     }
     if (plan.kind == PlanKind::kList) {
@@ -149,36 +160,42 @@ class Checks {
     if (!study_.search) return;
     const Search& search = *study_.search;
     Judge judge(problems_, "<study><search>", "", search.origin);
-    if (study_.objectives.size() < 2) {
+    const bool strange = study_.origin.hasStrange();
+    if (study_.objectives.size() < 2 && !strange) {
       judge.say(study_.objectives.empty() ? "has no objective" : "has one objective",
                 "a search weighs two or more; add <objective metric=\"...\" goal=\"minimise\"/>");
     }
-    if (search.seed < 0) judge.say(written("seed", std::to_string(search.seed)), "must be >= 0");
-    if (search.generations < 1) {
-      judge.say(written("generations", std::to_string(search.generations)), "must be >= 1");
+    if (search.seed < 0 && judge.knows({"seed"})) judge.say(judge.written("seed", search.seed), "must be >= 0");
+    if (search.generations < 1 && judge.knows({"generations"})) {
+      judge.say(judge.written("generations", search.generations), "must be >= 1");
     }
-    const std::string population = written("population", std::to_string(search.population));
-    if (search.method == SearchMethod::kNsga2 && (search.population < 8 || search.population % 4 != 0)) {
+    const std::string population = judge.written("population", search.population);
+    const bool known = judge.knows({"method", "population"});
+    if (known && search.method == SearchMethod::kNsga2 && (search.population < 8 || search.population % 4 != 0)) {
       judge.say(population, "nsga2 needs a multiple of 4, at least 8");
-    } else if (search.population < 4) {
+    } else if (known && search.population < 4) {
       judge.say(population, "must be at least 4");
     }
     bool ranges = false;
     for (const Vary& vary : study_.varies) {
       if (givesSpeeds(vary)) continue;
       ranges = true;
-      if (vary.values.empty() && !vary.count) continue;
+      if ((vary.values.empty() && !vary.count) || !vary.origin.knows("count")) continue;
       Judge(problems_, "<study><vary>", vary.parameter, vary.origin)
           .say("has steps beside a <search>", "a search takes any value of a range: from and to alone");
     }
-    if (!ranges) judge.say("has nothing to vary", "add a <vary> with from and to");
+    if (!ranges && !strange) judge.say("has nothing to vary", "add a <vary> with from and to");
   }
 
   void designs() {
     std::map<std::string, Origin> names;
     for (const StudyDesign& design : study_.designs) {
       Judge judge(problems_, "<study><design>", design.name, design.origin);
-      judge.properName(design.name);
+      if (design.sets.empty() && !study_.origin.hasStrange()) {
+        judge.say("sets nothing", "add a <set>; the vehicle as it is is the design \"base\"");
+      }
+      checkSets(design);
+      if (!judge.properName(design.name)) continue;
       if (design.name == kBaseDesign) {
         judge.say(written("name", design.name), "the vehicle as its file says it is called so; choose another name");
       }
@@ -187,8 +204,6 @@ class Checks {
         judge.say(written("name", design.name) + " is already the name of a design" + inLine(first->second),
                   "names are unique in a file");
       }
-      if (design.sets.empty()) judge.say("sets nothing", "add a <set>; the vehicle as it is is the design \"base\"");
-      checkSets(design);
     }
   }
 
@@ -196,7 +211,7 @@ class Checks {
     std::map<std::string, Origin> set;
     for (const StudySet& each : design.sets) {
       Judge judge(problems_, "<study><design><set>", each.parameter, each.origin);
-      if (each.value.empty()) judge.say("has no value", "give one with its unit, e.g. value=\"600 kN/m\"");
+      if (each.value.empty() && judge.knows({"value"})) judge.say("has no value", "give one with its unit, e.g. value=\"600 kN/m\"");
       if (!checkAddresses(each.parameter, judge)) continue;
       for (const std::string& address : listedIn(each.parameter)) {
         const auto [first, fresh] = set.try_emplace(address, each.origin);
@@ -213,9 +228,14 @@ class Checks {
   void metrics() {
     for (const StudyMetric& each : study_.metrics) {
       Judge judge(problems_, "<study><metric>", "", each.origin);
+      if (!judge.knows({"name"})) {
+        nameless_metric_ = true;
+        continue;
+      }
       const ParsedMetric parsed = parseMetric(each.name);
       if (!parsed.metric) {
         judge.say(written("name", each.name) + ' ' + parsed.message, parsed.remedy);
+        nameless_metric_ = true;
         continue;
       }
       const auto [first, fresh] = metrics_.try_emplace(parsed.metric->name, each.origin);
@@ -226,6 +246,11 @@ class Checks {
   /// Whether a metric of that name is listed; tells if not.
   bool knows(const std::string& name, Judge& judge) {
     if (metrics_.contains(name)) return true;
+    // A metric that is wrong itself may be the one that is meant.
+    if (nameless_metric_ || study_.metrics.empty() || study_.origin.hasStrange() || !judge.knows({"metric"}) ||
+        !lost_metrics_.insert(name).second) {
+      return false;
+    }
     std::vector<std::string> names;
     for (const auto& [known, origin] : metrics_) names.push_back(known);
     const auto nearest = nearestName(name, names);
@@ -249,7 +274,7 @@ class Checks {
     for (const Limit& each : study_.limits) {
       Judge judge(problems_, "<study><limit>", each.metric, each.origin);
       static_cast<void>(knows(each.metric, judge));
-      if (each.below.empty() && each.above.empty()) judge.say("has no bound", "give below, above or both");
+      if (each.below.empty() && each.above.empty() && judge.knows({"below", "above"})) judge.say("has no bound", "give below, above or both");
     }
   }
 
@@ -257,6 +282,8 @@ class Checks {
   ProblemList problems_;
   std::map<std::string, const Vary*> varied_;
   std::map<std::string, Origin> metrics_;
+  std::set<std::string> lost_metrics_;  // reported already
+  bool nameless_metric_ = false;        // the name of one could not be read or is no metric
 };
 
 }  // namespace

@@ -161,4 +161,8 @@ inline constexpr std::string_view kBaseDesign = "base";
 /// Contradictions that show without the vehicle: what is missing, given twice, or does not go together.
 [[nodiscard]] ProblemList check(const Study& study);
 
+/// The study without the parts that have problems: the rest can still be held against the vehicle (bindStudy()), so
+/// that all problems of a file come in one pass.
+[[nodiscard]] Study soundPartOf(const Study& study, const ProblemList& problems);
+
 }  // namespace vehicle

@@ -4,6 +4,8 @@
 #include <map>
 #include <string_view>
 
+#include "libvehicle/definition/topology_build.h"
+
 namespace vehicle {
 
 namespace {
@@ -126,9 +128,11 @@ class Builder {
 
 }  // namespace
 
+Topology buildTopology(const Vehicle& vehicle) { return Builder(vehicle).build(); }
+
 Topology topologyOf(const Vehicle& vehicle) {
   if (ProblemList problems = check(vehicle); !problems.empty()) throw InvalidInput(std::move(problems));
-  return Builder(vehicle).build();
+  return buildTopology(vehicle);
 }
 
 std::vector<Channel> stateChannels(const Topology& topology) {

@@ -74,6 +74,11 @@ struct Topology {
 /// @throws InvalidInput with check()'s problems if the vehicle contradicts itself
 [[nodiscard]] Topology topologyOf(const Vehicle& vehicle);
 
+/// What can be said of a vehicle that contradicts itself, so that the checks beyond definition's own reach the rest of
+/// it too: parts with problems, and all whose loads could depend on them, do not move in it, so that a judge of motions
+/// and loads passes over them. Of a vehicle without problems it is topologyOf().
+[[nodiscard]] Topology soundTopologyOf(const Vehicle& vehicle);
+
 /// States x = (q, q') of that topology: "carbody.z" [m], "carbody.pitch" [rad], ..., "carbody.vz" [m/s],
 /// "carbody.pitch_rate" [rad/s], ...
 [[nodiscard]] std::vector<Channel> stateChannels(const Topology& topology);

@@ -59,7 +59,13 @@ class TrainCheck {
   void checkWhole() {
     Judge judge(problems_, "<train>", train_.name, train_.origin);
     judge.properName(train_.name);
-    if (train_.vehicles.empty()) judge.say("has no <vehicle>", "a train has at least one");
+    if (train_.vehicles.empty() && !train_.origin.hasStrange()) {
+      judge.say("has no <vehicle>", "a train has at least one");
+    }
+    const bool counted = std::all_of(train_.vehicles.begin(), train_.vehicles.end(),
+                                     [](const TrainVehicle& each) { return each.origin.knows("count"); });
+    values_hold_ = counted && !train_.origin.hasStrange();
+    if (!values_hold_) return;
     const long vehicles = vehiclesOf(train_);
     if (vehicles > Train::kMostVehicles) {
       judge.say("has " + std::to_string(vehicles) + " vehicles",
@@ -77,10 +83,10 @@ class TrainCheck {
 
   void checkVehicle(const TrainVehicle& each) {
     Judge judge = judgeOf(each);
-    if (each.file.empty() && !isRead(each)) judge.say("file is empty", "name a file, e.g. file=\"coach.xml\"");
+    if (each.file.empty() && !isRead(each) && judge.knows({"file"})) judge.say("file is empty", "name a file, e.g. file=\"coach.xml\"");
     if (!each.name.empty()) judge.properName(each.name);
-    if (each.count < 1) {
-      judge.say(written("count", std::to_string(each.count)), "must be >= 1");
+    if (each.count < 1 && judge.knows({"count"})) {
+      judge.say(judge.written("count", each.count), "must be >= 1");
       values_hold_ = false;
     }
     const bool spacing = judge.positive("spacing", each.spacing, Dimension::kLength);
@@ -106,6 +112,7 @@ class TrainCheck {
   }
 
   void checkHeights() {
+    if (train_.vehicles.empty()) return;
     const TrainVehicle* with = nullptr;
     const TrainVehicle* without = nullptr;
     for (const TrainVehicle& each : train_.vehicles) {
@@ -120,9 +127,10 @@ class TrainCheck {
     }
     if (with != nullptr) return;
     for (const Coupling& each : train_.couplings) {
-      if (!each.z) continue;
-      judgeOf(each).say(written("z", *each.z, Dimension::kLength) + ", but the vehicles have no heights",
-                        "leave z out, or give the vehicles heights");
+      if (!each.z || !each.origin.knows("z")) continue;
+      Judge judge = judgeOf(each);
+      judge.say(judge.written("z", *each.z, Dimension::kLength) + ", but the vehicles have no heights",
+                "leave z out, or give the vehicles heights");
     }
   }
 
@@ -136,7 +144,8 @@ class TrainCheck {
       const TrainVehicle& ahead = train_.vehicles[pair.ahead];
       const TrainVehicle& behind = train_.vehicles[pair.behind];
       for (const TrainVehicle* each : {&ahead, &behind}) {
-        if (each->end_x || coupling->end_x || !endless.insert(each).second) continue;
+        const bool known = each->origin.knows("end_x") && coupling->origin.knows("end_x");
+        if (each->end_x || coupling->end_x || !known || !endless.insert(each).second) continue;
         judgeOf(*each).say(
             quotedName(*each) + " has no end_x, and its coupling" + inLine(coupling->origin) + " has none",
             "give one of them, e.g. end_x=\"12.5 m\"");

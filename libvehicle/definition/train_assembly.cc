@@ -46,7 +46,7 @@ class Assembler {
 
   void addUnit(const TrainVehicle& each, double x) {
     const std::string name = unitName(each) + '_' + std::to_string(made_.units.size() + 1);
-    made_.units.push_back({name, each.vehicle.title, x});
+    made_.units.push_back({name, each.vehicle.title, x, each.origin});
     prefix_ = name + '.';
     const Vehicle& from = each.vehicle;
     for (Element element : from.elements) {

@@ -102,6 +102,7 @@ struct TrainUnit {
   std::string name;   // "coach_2": unique in the train
   std::string title;  // of its vehicle
   double x = 0.0;     // [m] of its vehicle's origin
+  Origin origin;      // of the <vehicle> of the train's file
   bool operator==(const TrainUnit&) const = default;
 };
 

@@ -10,20 +10,28 @@
 
 #include <fmt/format.h>
 
+#include "libvehicle/definition/judge.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/excitation/rail_piece.h"
 #include "libvehicle/excitation/rail_profile.h"
 #include "libvehicle/system/schedule.h"
+#include "libvehicle/units/quantity.h"
 
 namespace vehicle {
 namespace {
 
 constexpr double kShortestPassage = 1e-8;  // of an output step: both ends of a feature stay apart
 
-[[noreturn]] void refuse(const Origin& origin, std::string element, std::string message, std::string remedy) {
+[[noreturn]] void refuse(const Origin& origin, std::string_view element, std::string message, std::string remedy) {
   ProblemList problems;
-  problems.add({origin, std::move(element), std::move(message), std::move(remedy)});
+  Judge(problems, element, "", origin).say(std::move(message), std::move(remedy));
   throw InvalidInput(std::move(problems));
+}
+
+// A value of the scenario as its file says it.
+std::string inFile(const Origin& origin, std::string_view attribute, double value, Dimension dimension) {
+  ProblemList none;
+  return Judge(none, "", "", origin).written(attribute, value, dimension);
 }
 
 void needSpeed(double speed) {
@@ -39,8 +47,8 @@ double endOf(const Run& run, double speed) {
   const double end = run.duration ? *run.duration : *run.distance / speed;
   if (!(run.output_step > 0.0) || !(end >= run.output_step * (1.0 - kSameInstant)) || !std::isfinite(end)) {
     refuse(run.origin, "<scenario><run>",
-           fmt::format("lasts {} s with an output_step of {} s; must last at least one output step", end,
-                       run.output_step),
+           fmt::format("lasts {} with {}; must last at least one output step", formatQuantity(end, Dimension::kTime),
+                       inFile(run.origin, "output_step", run.output_step, Dimension::kTime)),
            "run longer, or take a shorter output_step");
   }
   const int sample = sampleAt(0.0, run.output_step, end);
@@ -52,27 +60,30 @@ void checkOnset(const Track& track) {
   if (track.history != History::kOnset) return;
   Track waves = track;
   waves.dips.clear();
+  waves.bumps.clear();
   waves.ramps.clear();
   const double total = railHeight(track, 0.0);
   const double harmonic = railHeight(waves, 0.0);
   double amplitudes = 0.0;
   for (const Harmonic& each : track.harmonics) amplitudes += std::abs(each.amplitude);
   for (const Dip& each : track.dips) amplitudes += std::abs(each.depth);
+  for (const Bump& each : track.bumps) amplitudes += std::abs(each.height);
   for (const Ramp& each : track.ramps) amplitudes += std::abs(each.rise);
   const double rounding = 1e-12 * amplitudes;  // a phase of pi leaves 1e-16 of its amplitude
   if (std::abs(total) <= rounding) return;
   refuse(track.origin, "<scenario><track>",
          fmt::format("the height jumps by {:g} m where history=\"onset\" begins (s = 0); must begin at 0", total),
          std::abs(harmonic) > rounding ? "give fade_in=\"50 m\", or take history=\"extended\""
-                                       : "let dips and ramps start at 0 or beyond, or take history=\"extended\"");
+                                       : "let dips, bumps and ramps start at 0 or beyond, or take history=\"extended\"");
 }
 
 void checkPassage(const Origin& origin, const char* element, const char* attribute, double length, double speed,
                   double output_step) {
   const double shortest = kShortestPassage * output_step * speed;
   if (length > shortest) return;
-  refuse(origin, element, fmt::format("{}=\"{:g} m\" is passed in no time; must be > {:g} m at {:g} m/s", attribute,
-                                      length, shortest, speed),
+  refuse(origin, element,
+         fmt::format("{} is passed in no time; must be > {:g} m at {:g} m/s",
+                     inFile(origin, attribute, length, Dimension::kLength), shortest, speed),
          "make it longer, or take a shorter output_step");
 }
 
@@ -83,6 +94,9 @@ void checkTrack(const Track& track, double speed, double output_step) {
   }
   for (const Dip& each : track.dips) {
     checkPassage(each.origin, "<scenario><track><dip>", "length", each.length, speed, output_step);
+  }
+  for (const Bump& each : track.bumps) {
+    checkPassage(each.origin, "<scenario><track><bump>", "length", each.length, speed, output_step);
   }
   for (const Ramp& each : track.ramps) {
     checkPassage(each.origin, "<scenario><track><ramp>", "length", each.length, speed, output_step);
@@ -174,7 +188,7 @@ void checkSize(const Track& track, const std::vector<Passage>& passages, std::si
                      "at most {:.3g} GiB",
                      wheels, segments, bytes / kGibibyte, kMostInputBytes / kGibibyte),
          track.history == History::kOnset ? "take history=\"extended\", or a shorter train or run"
-                                          : "take a shorter train or run, or fewer dips and ramps");
+                                          : "take a shorter train or run, or fewer dips, bumps and ramps");
 }
 
 // A sinusoid of one wheel, in the time that counts from the beginning of a segment.
@@ -273,7 +287,7 @@ Input rigInput(const Rig& rig, const Topology& topology, double end) {
     }
     const auto wheel = static_cast<std::size_t>(found - topology.wheelsets.begin());
     for (const RigSine& each : input.sines) {
-      terms.push_back({each.angular_frequency, wheel, each.amplitude * std::sin(each.phase),
+      terms.push_back({angularFrequencyOf(each), wheel, each.amplitude * std::sin(each.phase),
                        each.amplitude * std::cos(each.phase)});
     }
   }

@@ -29,28 +29,34 @@ void addHarmonics(const Track& track, std::vector<RailPiece>& pieces) {
   RailPiece fading{.from = 0.0, .to = fades ? *track.fade_in : 0.0, .waves = {}};
   RailPiece steady{.from = onset ? fading.to : -kNever, .to = kNever, .waves = {}};
   for (const Harmonic& each : track.harmonics) {
-    if (each.amplitude == 0.0) continue;
+    const double amplitude = shareOf(each.rail) * each.amplitude;
+    if (amplitude == 0.0) continue;
     const double wavenumber = 2.0 * kPi * each.order / each.wavelength;
-    addSine(steady, each.amplitude, wavenumber, each.phase);
+    addSine(steady, amplitude, wavenumber, each.phase);
     if (!fades) continue;
     const double fade = kPi / *track.fade_in;
-    addSine(fading, 0.5 * each.amplitude, wavenumber, each.phase);
-    addSine(fading, -0.25 * each.amplitude, wavenumber + fade, each.phase);
-    addSine(fading, -0.25 * each.amplitude, wavenumber - fade, each.phase);
+    addSine(fading, 0.5 * amplitude, wavenumber, each.phase);
+    addSine(fading, -0.25 * amplitude, wavenumber + fade, each.phase);
+    addSine(fading, -0.25 * amplitude, wavenumber - fade, each.phase);
   }
   if (!fading.waves.empty()) pieces.push_back(std::move(fading));
   if (!steady.waves.empty()) pieces.push_back(std::move(steady));
 }
 
-RailPiece pieceOf(const Dip& dip) {
-  RailPiece piece{.from = dip.start, .to = dip.start + dip.length, .origin = dip.start, .waves = {}};
-  if (dip.shape == DipShape::kOneMinusCosine) {
-    piece.level = -0.5 * dip.depth;
-    piece.waves.push_back({2.0 * kPi / dip.length, 0.5 * dip.depth, 0.0});
+/// A dip (height below 0) or a bump.
+template <class Feature>
+void addFeature(const Feature& feature, double height, std::vector<RailPiece>& pieces) {
+  height *= shareOf(feature.rail);
+  if (height == 0.0) return;
+  RailPiece piece{
+      .from = feature.start, .to = feature.start + feature.length, .origin = feature.start, .waves = {}};
+  if (feature.shape == DipShape::kOneMinusCosine) {
+    piece.level = 0.5 * height;
+    piece.waves.push_back({2.0 * kPi / feature.length, -0.5 * height, 0.0});
   } else {
-    piece.waves.push_back({kPi / dip.length, 0.0, -dip.depth});
+    piece.waves.push_back({kPi / feature.length, 0.0, height});
   }
-  return piece;
+  pieces.push_back(std::move(piece));
 }
 
 }  // namespace
@@ -58,14 +64,14 @@ RailPiece pieceOf(const Dip& dip) {
 std::vector<RailPiece> piecesOf(const Track& track) {
   std::vector<RailPiece> pieces;
   addHarmonics(track, pieces);
-  for (const Dip& each : track.dips) {
-    if (each.depth != 0.0) pieces.push_back(pieceOf(each));
-  }
+  for (const Dip& each : track.dips) addFeature(each, -each.depth, pieces);
+  for (const Bump& each : track.bumps) addFeature(each, each.height, pieces);
   for (const Ramp& each : track.ramps) {
-    if (each.rise == 0.0) continue;
+    const double rise = shareOf(each.rail) * each.rise;
+    if (rise == 0.0) continue;
     const double top = each.start + each.length;
-    pieces.push_back({each.start, top, each.start, 0.0, each.rise / each.length, {}});
-    pieces.push_back({top, kNever, top, each.rise, 0.0, {}});
+    pieces.push_back({each.start, top, each.start, 0.0, rise / each.length, {}});
+    pieces.push_back({top, kNever, top, rise, 0.0, {}});
   }
   if (track.history == History::kOnset) {
     std::erase_if(pieces, [](const RailPiece& piece) { return piece.to <= 0.0; });

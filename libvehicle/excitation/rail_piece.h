@@ -24,7 +24,7 @@ struct RailPiece {
   std::vector<RailWave> waves;
 };
 
-/// The rail's height as a sum of pieces; its corners are the finite ends of the pieces. Members of no height give
+/// The rail's height, the mean of both rails, as a sum of pieces; its corners are the finite ends of the pieces. Members of no height give
 /// no piece. A faded harmonic is three waves, since
 ///     a sin(k s + p) (1 - cos(g s))/2 = a/2 sin(k s + p) - a/4 sin((k + g) s + p) - a/4 sin((k - g) s + p),
 /// g = pi / fade_in. With `onset`, pieces are cut at s = 0.

@@ -1,33 +1,58 @@
 #include "libvehicle/project/check_file.h"
 
 #include <utility>
+#include <vector>
 
+#include "libvehicle/definition/topology.h"
 #include "libvehicle/project/study_work.h"
 #include "libvehicle/project/suite_work.h"
 #include "libvehicle/project/together.h"
+#include "libvehicle/simulate/file_warnings.h"
+#include "libvehicle/statics/rest.h"
 #include "libvehicle/xml/reader.h"
 
 namespace vehicle {
 
 namespace {
 
-CheckedFile checkVehicle(const std::string& path, FileSource& files) {
+// Of the commands that take a vehicle alone; a scenario may say otherwise.
+constexpr double kGravity = 9.81;  // [m/s^2]
+
+/// What statics finds in the parts with which nothing else is wrong.
+ProblemList restProblems(const Vehicle& draft) {
+  try {
+    static_cast<void>(restOf(soundTopologyOf(draft), kGravity));
+  } catch (const InvalidInput& wrong) {
+    return wrong.problems();
+  }
+  return {};
+}
+
+CheckedFile checkVehicle(const std::string& path, FileKind kind, FileSource& files) {
   CheckedFile checked;
   Outcome<Vehicle> read = readVehicle(path, files);
   checked.problems = std::move(read.problems);
-  if (!read.value) return checked;
-  // Of the commands that take a vehicle alone; a scenario may say otherwise.
-  constexpr double kGravity = 9.81;  // [m/s^2]
-  checked.problems = checkRest(*read.value, kGravity);
-  if (checked.problems.empty()) checked.vehicle = std::move(read.value);
+  std::vector<Vehicle> drafts = draftVehicles(path, files);
+  for (const Vehicle& draft : drafts) checked.problems.append(restProblems(draft));
+  checked.problems.sortByPlace();
+  checked.vehicle = std::move(read.value);
+  if (!checked.problems.empty()) {
+    // The parts of a train have their names only when it is assembled.
+    if (kind == FileKind::kVehicle && !drafts.empty()) checked.vehicle = std::move(drafts.front());
+    return checked;
+  }
+  const Topology topology = topologyOf(*checked.vehicle);
+  checked.warnings = fileWarnings(*checked.vehicle, topology, restOf(topology, kGravity), kGravity);
+  checked.notes = notesOn(*checked.vehicle);
   return checked;
 }
 
 CheckedFile checkScenario(const std::string& path, FileSource& files) {
   CheckedFile checked;
-  Outcome<Scenario> read = readScenario(path, files);
-  checked.problems = std::move(read.problems);
-  checked.scenario = std::move(read.value);
+  Outcome<Scenario> draft = draftScenario(path, files);
+  checked.problems = std::move(draft.problems);
+  checked.scenario = std::move(draft.value);
+  if (checked.problems.empty()) checked.notes = notesOn(*checked.scenario);
   return checked;
 }
 
@@ -50,11 +75,11 @@ CheckedFile checkStudy(const std::string& path, FileSource& files) {
 
 CheckedFile checkFile(const std::string& path, FileSource& files) {
   const Outcome<FileKind> kind = kindOf(path, files);
-  if (!kind.value) return {kind.problems, {}, {}, {}};
+  if (!kind.value) return {.problems = kind.problems};
   switch (*kind.value) {
     case FileKind::kVehicle:
     case FileKind::kTrain:
-      return checkVehicle(path, files);
+      return checkVehicle(path, *kind.value, files);
     case FileKind::kScenario:
       return checkScenario(path, files);
     case FileKind::kSuite:
@@ -63,6 +88,12 @@ CheckedFile checkFile(const std::string& path, FileSource& files) {
       return checkStudy(path, files);
   }
   return {};
+}
+
+ProblemList checkPair(const CheckedFile& vehicle, const CheckedFile& scenario) {
+  if (!vehicle.vehicle || !scenario.scenario) return {};
+  if (!vehicle.problems.empty() || !scenario.problems.empty()) return check(*scenario.scenario, *vehicle.vehicle);
+  return checkTogether(*vehicle.vehicle, *scenario.scenario, scenario.scenario->run.speed);
 }
 
 }  // namespace vehicle

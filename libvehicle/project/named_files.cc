@@ -6,6 +6,7 @@
 namespace vehicle {
 
 std::optional<Vehicle> NamedFiles::vehicle(const FileReference& reference) {
+  if (!reference.origin.knows("file") || reference.file.empty()) return std::nullopt;
   const ProblemList here = checkNamedFile(holder_, reference, {FileKind::kVehicle, FileKind::kTrain}, files_);
   problems_.append(here);
   if (!here.empty()) return std::nullopt;
@@ -15,6 +16,7 @@ std::optional<Vehicle> NamedFiles::vehicle(const FileReference& reference) {
 }
 
 std::optional<Scenario> NamedFiles::scenario(const FileReference& reference) {
+  if (!reference.origin.knows("file") || reference.file.empty()) return std::nullopt;
   const ProblemList here = checkNamedFile(holder_, reference, {FileKind::kScenario}, files_);
   problems_.append(here);
   if (!here.empty()) return std::nullopt;

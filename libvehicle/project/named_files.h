@@ -13,7 +13,8 @@
 namespace vehicle {
 
 /// Reads the files that a study or suite names, and collects what is wrong with them: a file that cannot be read or is
-/// of another kind is reported where it is named, what is wrong inside it at its own place.
+/// of another kind is reported where it is named, what is wrong inside it at its own place. A name that is missing or
+/// could not be read leads nowhere and is reported by the reader of the study or suite.
 class NamedFiles {
  public:
   /// @param holder  element that names them: "suite"

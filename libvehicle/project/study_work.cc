@@ -59,7 +59,9 @@ struct ListFile {
 
 ListFile readListFile(const Study& study, FileSource& files, ProblemList& problems) {
   ListFile list;
-  if (!study.plan || study.plan->kind != PlanKind::kList) return list;
+  if (!study.plan || study.plan->kind != PlanKind::kList || study.plan->file.empty() || !study.plan->origin.knowsAll()) {
+    return list;
+  }
   list.path = resolvePath(study.plan->origin.file, study.plan->file);
   const Outcome<std::string>& text = files.text(list.path);
   if (!text.value) {
@@ -90,7 +92,7 @@ std::vector<InputFile> textsOf(const std::string& file, const Study& study, cons
 }  // namespace
 
 Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files) {
-  Outcome<Study> study = readStudy(file, files);
+  Outcome<Study> study = draftStudy(file, files);
   if (!study.value) return {std::nullopt, std::move(study.problems)};
 
   NamedFiles named("study", files);
@@ -99,13 +101,16 @@ Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files) {
   for (const FileReference& each : study.value->scenarios) {
     if (std::optional<Scenario> scenario = named.scenario(each)) inputs.scenarios.push_back(std::move(*scenario));
   }
-  ProblemList problems = named.problems();
+  ProblemList problems = study.problems;
+  problems.append(named.problems());
   const ListFile list = readListFile(*study.value, files, problems);
   // Names can be looked up only in files that are in order.
   if (!vehicle || inputs.scenarios.size() != study.value->scenarios.size()) return {std::nullopt, std::move(problems)};
 
   for (const Scenario& each : inputs.scenarios) problems.append(check(each, *vehicle));
-  Outcome<BoundStudy> bound = bindStudy(*study.value, *vehicle, inputs.scenarios, list.columns);
+  // What is wrong by itself is reported already; the rest is held against the vehicle all the same.
+  const Study sound = soundPartOf(*study.value, study.problems);
+  Outcome<BoundStudy> bound = bindStudy(sound, *vehicle, inputs.scenarios, list.columns);
   problems.append(bound.problems);
   problems.sortByPlace();
   if (!problems.empty()) return {std::nullopt, std::move(problems)};

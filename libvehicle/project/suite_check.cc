@@ -18,7 +18,7 @@ namespace {
 void checkChoices(const std::vector<NamedChoice>& choices, const std::string& kind,
                   const std::vector<std::string>& known, ProblemList& problems) {
   for (const NamedChoice& each : choices) {
-    if (std::find(known.begin(), known.end(), each.name) != known.end()) continue;
+    if (std::find(known.begin(), known.end(), each.name) != known.end() || !each.origin.knows("name")) continue;
     const std::optional<std::string> nearest = nearestName(each.name, known);
     problems.add(each.origin, fmt::format("<suite><{}>", kind), fmt::format("{} \"{}\" is unknown", kind, each.name),
                  nearest ? fmt::format("did you mean \"{}\"?", *nearest) : "choose one of " + joined(known, ", "));

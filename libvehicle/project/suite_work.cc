@@ -9,7 +9,7 @@
 namespace vehicle {
 
 Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice, FileSource& files) {
-  Outcome<Suite> suite = readSuite(file, files);
+  Outcome<Suite> suite = draftSuite(file, files);
   if (!suite.value) return {std::nullopt, std::move(suite.problems)};
 
   SuiteWork work;
@@ -20,7 +20,8 @@ Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice
   for (const FileReference& each : suite.value->scenarios) {
     if (std::optional<Scenario> scenario = named.scenario(each)) work.scenarios.push_back(std::move(*scenario));
   }
-  ProblemList problems = named.problems();
+  ProblemList problems = suite.problems;
+  problems.append(named.problems());
   problems.append(checkNames(*suite.value));
   if (problems.empty()) {
     if (choice.run.speed) suite.value->speeds.clear();

@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <Eigen/QR>
 
 #include "libvehicle/definition/topology_part.h"
+#include "libvehicle/statics/rest_problems.h"
 
 namespace vehicle {
 namespace {
 
-// Preloads copied from a drawing carry six digits; a weight that is really uncarried is off by orders more.
-constexpr double kBalance = 1e-6;
 // Contact springs are about 1000 times stiffer than suspensions, and the scaled matrix takes that out; below
 // this share of its largest pivot a direction has no spring at all.
 constexpr double kRank = 1e-12;
@@ -93,44 +94,6 @@ Eigen::VectorXd solve(const Balance& balance) {
   return scale.asDiagonal() * solution;
 }
 
-template <class Part>
-Problem problem(const char* kind, const Part& part, std::string message, std::string remedy) {
-  return {part.origin, std::string("<vehicle><") + kind + " name=\"" + part.name + "\">", std::move(message),
-          std::move(remedy)};
-}
-
-/// What acts on each coordinate that nothing takes up, told with the part's name.
-ProblemList uncarried(const Topology& topology, const Balance& balance, const Eigen::VectorXd& deflection,
-                      const Eigen::VectorXd& size) {
-  static const std::string kRemedy = "give the springs under it a stiffness, or leave out one of the preloads";
-  const Eigen::VectorXd left = balance.force - balance.stiffness * deflection;
-  const auto open = [&](int index) { return index >= 0 && std::abs(left[index]) > kBalance * size[index]; };
-  ProblemList problems;
-  for (const TopologyBody& body : topology.bodies) {
-    if (open(body.z_index)) {
-      problems.add(problem("body", body,
-                           "springs and preloads leave a vertical force of " + number(left[body.z_index]) +
-                               " N at rest; the weight must be carried",
-                           kRemedy));
-    }
-    if (open(body.pitch_index)) {
-      problems.add(problem("body", body,
-                           "springs and preloads leave a pitch moment of " + number(left[body.pitch_index]) +
-                               " N m at rest; moments must balance",
-                           kRemedy));
-    }
-  }
-  for (const TopologyWheelset& wheelset : topology.wheelsets) {
-    if (open(wheelset.z_index)) {
-      problems.add(problem("wheelset", wheelset,
-                           "springs and preloads leave a vertical force of " + number(left[wheelset.z_index]) +
-                               " N at rest; the weight must be carried",
-                           kRemedy));
-    }
-  }
-  return problems;
-}
-
 /// Wheel-rail forces by vertical equilibrium of each wheelset.
 std::vector<double> railForces(const Topology& topology, double gravity, const std::vector<double>& suspension_load) {
   std::vector<double> force(topology.wheelsets.size());
@@ -140,24 +103,6 @@ std::vector<double> railForces(const Topology& topology, double gravity, const s
     if (wheelset >= 0) force[at(wheelset)] += suspension_load[s];
   }
   return force;
-}
-
-ProblemList wheelsOffTheRail(const Topology& topology, const std::vector<double>& wheel_load) {
-  double total = 0.0;
-  for (const double load : wheel_load) total += std::abs(load);
-  ProblemList problems;
-  for (std::size_t j = 0; j < wheel_load.size(); ++j) {
-    const TopologyWheelset& wheelset = topology.wheelsets[j];
-    if (wheel_load[j] < -kBalance * total) {
-      problems.add(problem("wheelset", wheelset,
-                           "its static wheel load would be " + number(wheel_load[j]) + " N; a rail can only push",
-                           "move the centre of gravity between the wheelsets, or give its load"));
-    } else if (wheelset.z_index >= 0 && !wheelset.contact_stiffness && !(wheel_load[j] > kBalance * total)) {
-      problems.add(problem("wheelset", wheelset, "a Hertz contact without static load has no stiffness",
-                           "set gravity > 0, or give its load or contact_stiffness"));
-    }
-  }
-  return problems;
 }
 
 std::vector<double> pitchStiffness(const Topology& topology, const std::vector<double>& suspension_load) {
@@ -217,9 +162,8 @@ Rest restOfPart(const Topology& topology, double gravity) {
     if (!hertz || largestChange(force, before) <= 1e-15 * weight) break;
   }
 
-  Eigen::VectorXd size = on_springs.force.cwiseAbs();
-  for (std::size_t s = 0; s < rows.size(); ++s) size += std::abs(rest.suspension_load[s]) * rows[s].cwiseAbs();
-  ProblemList problems = uncarried(topology, balance, deflection, size);
+  ProblemList problems =
+      uncarried(topology, gravity, {rows, rest.suspension_load, on_springs.force, balance.force - balance.stiffness * deflection});
   if (!problems.empty()) throw InvalidInput(std::move(problems));
 
   rest.coordinates.assign(deflection.begin(), deflection.end());
@@ -283,11 +227,17 @@ Rest restOf(const Topology& topology, double gravity) {
   rest.pitch_stiffness.assign(topology.bodies.size(), 0.0);
   rest.contact_stiffness.assign(topology.wheelsets.size(), 0.0);
   ProblemList problems;
+  // Equal vehicles of a train come from one place of one file: their mistake is reported once.
+  std::set<std::tuple<std::string, int, std::string>> seen;
   for (const TopologyPart& part : parts) {
     try {
       put(part, topology, restOfPart(part.topology, gravity), rest);
     } catch (const InvalidInput& wrong) {
-      problems.append(wrong.problems());
+      for (const Problem& each : wrong.problems()) {
+        const Place& place = each.place;
+        if (place.line > 0 && !seen.emplace(place.file, place.line, each.message).second) continue;
+        problems.add(each);
+      }
     }
   }
   if (!problems.empty()) throw InvalidInput(std::move(problems));

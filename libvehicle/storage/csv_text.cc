@@ -23,7 +23,8 @@ void appendField(std::string& line, std::string_view text) {
 
 void appendNumber(std::string& line, double value) {
   std::array<char, 32> text;  // the longest shortest form, -2.2250738585072014e-308, has 24 characters
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  // -0 + 0 = 0: the sign of zero says nothing, and readers stumble over "-0".
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value + 0.0);
   line.append(text.data(), end);
 }
 

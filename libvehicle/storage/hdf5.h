@@ -14,6 +14,8 @@ namespace vehicle {
 ///     /history/carbody.z       data set (samples), attribute unit = "m"; columns keep their order (creation order)
 ///     /inputs/1, 2, ...        data set (text of the file), attribute file = its name
 ///
+/// Texts are of fixed length, ended by a zero; their bytes are UTF-8, marked as ASCII, the only kind that Octave reads.
+/// Zeros have no sign.
 /// The same record gives the same bytes: no time stamps. The file is composed in memory, about twice the size of
 /// the history, so that HDF5 never meets a full disk, and written atomically (atomic_file.h).
 /// May be called from several threads; they take turns.
@@ -23,7 +25,7 @@ namespace vehicle {
 ///                               text with a zero byte
 void writeHdf5(const RunRecord& record, const std::filesystem::path& path);
 
-/// Reads what writeHdf5 writes, bit for bit. Problems: no HDF5 file, a group or unit that is missing, columns of
+/// Reads what writeHdf5 writes, bit for bit, and files whose texts have variable length, as it wrote them once. Problems: no HDF5 file, a group or unit that is missing, columns of
 /// different lengths, values that are not finite.
 [[nodiscard]] Outcome<RunRecord> readHdf5(const std::filesystem::path& path);
 

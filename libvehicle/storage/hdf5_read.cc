@@ -16,12 +16,25 @@ namespace {
 // A file that HDF5 reads and that still is no run record.
 [[noreturn]] void refuse(std::string reason) { throw Hdf5Error{std::move(reason)}; }
 
-// The text behind an open attribute or data set; `read` moves one char* out of HDF5.
+// A text of fixed length: up to its first zero, or to the padding at its end.
+template <class Read>
+std::string readFixedText(hid_t type, const Read& read) {
+  std::string text(H5Tget_size(type), '\0');
+  checked(read(text.data()));
+  const bool padded = H5Tget_strpad(type) == H5T_STR_SPACEPAD;
+  const std::size_t end = padded ? text.find_last_not_of(' ') + 1 : text.find('\0');
+  if (end < text.size()) text.resize(end);
+  return text;
+}
+
+// The text behind an open attribute or data set, of fixed length or of variable (as this program wrote them once);
+// `read` moves it out of HDF5.
 template <class Read>
 std::string readText(hid_t type, hid_t space, std::string_view what, const Read& read) {
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1) {
+  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) {
     refuse(fmt::format("{} is no single text", what));
   }
+  if (checked(H5Tis_variable_str(type)) == 0) return readFixedText(type, read);
   char* text = nullptr;
   checked(read(&text));
   std::string copy = text != nullptr ? text : "";
@@ -35,7 +48,7 @@ std::string readTextAttribute(hid_t owner, const std::string& name, std::string_
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
   const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
   return readText(type, space, fmt::format("attribute \"{}\"", name),
-                  [&](char** text) { return H5Aread(attribute, type, text); });
+                  [&](void* text) { return H5Aread(attribute, type, text); });
 }
 
 // Names in the order in which they were created; an exception must not pass through HDF5's C frames, so the
@@ -111,7 +124,7 @@ std::vector<InputFile> readInputsGroup(hid_t file) {
     const Hdf5Handle space(H5Dget_space(set), H5Sclose);
     const std::string what = fmt::format("input file {}", name);
     std::string text =
-        readText(type, space, what, [&](char** out) { return H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out); });
+        readText(type, space, what, [&](void* out) { return H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out); });
     inputs.push_back({readTextAttribute(set, "file", what), std::move(text)});
   }
   return inputs;

@@ -51,20 +51,21 @@ void requireStorable(const RunRecord& record) {
   }
 }
 
-// Variable length: the only HDF5 text type that holds an empty string.
-Hdf5Handle textType() {
+// Fixed length with its terminating zero, so that an empty text has a byte too. Octave gives up a whole file for one data
+// set of another kind: of variable length, or marked as UTF-8. So the bytes are UTF-8, and the mark is ASCII.
+Hdf5Handle textType(const std::string& text) {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  checked(H5Tset_size(type, H5T_VARIABLE));
-  checked(H5Tset_cset(type, H5T_CSET_UTF8));
+  checked(H5Tset_size(type, text.size() + 1));
+  checked(H5Tset_strpad(type, H5T_STR_NULLTERM));
+  checked(H5Tset_cset(type, H5T_CSET_ASCII));
   return type;
 }
 
 void writeTextAttribute(hid_t owner, const std::string& name, const std::string& value) {
-  const Hdf5Handle type = textType();
+  const Hdf5Handle type = textType(value);
   const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
   const Hdf5Handle attribute(H5Acreate2(owner, name.c_str(), type, scalar, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  const char* text = value.c_str();
-  checked(H5Awrite(attribute, type, &text));
+  checked(H5Awrite(attribute, type, value.c_str()));
 }
 
 Hdf5Handle createGroup(hid_t file, const char* name) {
@@ -87,7 +88,8 @@ void writeHistoryGroup(hid_t file, const TimeHistory& history) {
   for (std::size_t j = 0; j < history.columns().size(); ++j) {
     const Channel& column = history.columns()[j];
     const Hdf5Handle set = createDataSet(group, column.name, H5T_IEEE_F64LE, space);
-    const std::vector<double> values = history.column(j);
+    std::vector<double> values = history.column(j);
+    for (double& each : values) each += 0.0;  // -0 + 0 = 0
     if (samples > 0) checked(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
     writeTextAttribute(set, "unit", column.unit);
   }
@@ -95,12 +97,11 @@ void writeHistoryGroup(hid_t file, const TimeHistory& history) {
 
 void writeInputsGroup(hid_t file, const std::vector<InputFile>& inputs) {
   const Hdf5Handle group = createGroup(file, "inputs");
-  const Hdf5Handle type = textType();
   const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Hdf5Handle type = textType(inputs[i].text);
     const Hdf5Handle set = createDataSet(group, std::to_string(i + 1), type, scalar);
-    const char* text = inputs[i].text.c_str();
-    checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text));
+    checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, inputs[i].text.c_str()));
     writeTextAttribute(set, "file", inputs[i].name);
   }
 }

@@ -14,8 +14,13 @@ void requireRoom(const StudyRecord& record) {
   const std::size_t values = record.parameters.size() + record.metrics.size();
   if (values <= kMostStudyValues) return;
   ProblemList problems;
-  const std::string file = record.inputs.empty() ? "" : record.inputs.front().name;
-  problems.add({file, 0}, "",
+  Place place;
+  if (!record.inputs.empty()) {
+    const InputFile& study = record.inputs.front();
+    const auto root = static_cast<std::ptrdiff_t>(std::min(study.text.find("<study"), study.text.size()));
+    place = {study.name, 1 + static_cast<int>(std::count(study.text.begin(), study.text.begin() + root, '\n'))};
+  }
+  problems.add(place, "",
                fmt::format("the study makes {} columns ({} parameters, {} metrics over all speeds and scenarios), at "
                            "most {} fit in a row",
                            values, record.parameters.size(), record.metrics.size(), kMostStudyValues),

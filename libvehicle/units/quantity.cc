@@ -7,7 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "libvehicle/units/number_separators.h"
 #include "libvehicle/units/unit_expression.h"
+#include "libvehicle/units/unit_suggestion.h"
 
 namespace vehicle {
 
@@ -84,6 +86,17 @@ bool accepts(const BaseUnits& expected, BaseUnits given) {
   return given == expected;
 }
 
+// What was probably meant by a unit that is none, in the dimension expected.
+std::string hintFor(std::string_view digits, std::string_view unit, const UnitReading& reading, Dimension expected) {
+  const auto fits = [&](const BaseUnits& base) { return accepts(kindOf(expected).base, base); };
+  const std::string conversion = conversionOf(unit, fits);
+  if (!conversion.empty()) return "; " + conversion;
+  if (const auto meant = suggestUnit(unit, fits)) {
+    return "; did you mean \"" + std::string(digits) + (*meant == "%" ? "" : " ") + *meant + "\"?";
+  }
+  return reading.hint.empty() ? "" : "; " + reading.hint;
+}
+
 ParsedQuantity refuseDimension(const BaseUnits& given, std::string_view unit, Dimension expected) {
   if (unit.empty()) return refuse("has no unit", expectation(expected));
   for (const Kind& kind : kKinds) {
@@ -116,17 +129,16 @@ ParsedQuantity parseQuantity(std::string_view text, Dimension expected) {
   std::string_view rest = text;
   const std::optional<Decimal> number = cutDecimal(rest);
   if (!number) return refuse("is not a number", expectation(expected));
-  if (rest.size() > 1 && rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9') {
-    return refuse("has a comma in its number", "the decimal sign is a point; " + expectation(expected));
+  if (std::optional<SeparatedNumber> separated = separatorsIn(text)) {
+    return refuse(std::move(separated->message), std::move(separated->remedy));
   }
   if (!rest.empty() && (rest[0] == '.' || rest[0] == ',' || rest[0] == '+' || rest[0] == '-')) {
     return refuse("is not a number", expectation(expected));
   }
+  const std::string_view digits = text.substr(0, text.size() - rest.size());
   trim(rest);
   const UnitReading reading = readUnit(rest);
-  if (!reading.unit) {
-    return refuse(reading.message, expectation(expected) + (reading.hint.empty() ? "" : "; " + reading.hint));
-  }
+  if (!reading.unit) return refuse(reading.message, expectation(expected) + hintFor(digits, rest, reading, expected));
   if (!accepts(kindOf(expected).base, reading.unit->base)) return refuseDimension(reading.unit->base, rest, expected);
   const double si = reading.unit->toSi(*number);
   if (!std::isfinite(si)) return refuse("is not finite", "a number holds up to 1.8e308 in SI units");

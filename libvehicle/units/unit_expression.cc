@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -11,44 +10,50 @@ namespace vehicle {
 
 namespace {
 
+/// Prefixes that a symbol takes. Nobody means megaseconds, megametres or gigaradians: "Ms", "Mm" and "Grad" are
+/// mistyped, and to take them would make 5 mm of corrugation 5000 km.
+enum class Prefixes {
+  kNone,
+  kSmall,   // n u m c d
+  kToKilo,  // and k
+  kAll,
+};
+
 struct Symbol {
   std::string_view text;
-  bool takes_prefix;
+  Prefixes prefixes;
   Unit unit;
 };
 
 constexpr BaseUnits kForce = {1.0, 1.0, -2.0, 0.0};
 constexpr std::array kSymbols = {
-    Symbol{"m", true, {{0.0, 1.0, 0.0, 0.0}}},
-    Symbol{"g", true, {{1.0, 0.0, 0.0, 0.0}, -3.0}},
-    Symbol{"t", true, {{1.0, 0.0, 0.0, 0.0}, 3.0}},
-    Symbol{"N", true, {kForce}},
-    Symbol{"s", true, {{0.0, 0.0, 1.0, 0.0}}},
-    Symbol{"rad", true, {{0.0, 0.0, 0.0, 1.0}}},
-    Symbol{"Hz", true, {{0.0, 0.0, -1.0, 0.0}}},
-    Symbol{"tf", true, {kForce, -2.0, 0.0, 1.0}},
-    Symbol{"deg", false, {{0.0, 0.0, 0.0, 1.0}, 0.0, 0.0, 0.0, 1.0}},
-    Symbol{"min", false, {{0.0, 0.0, 1.0, 0.0}, 1.0, 1.0}},
-    Symbol{"h", false, {{0.0, 0.0, 1.0, 0.0}, 2.0, 2.0}},
-    Symbol{"%", false, {{}, -2.0}},
+    Symbol{"m", Prefixes::kToKilo, {{0.0, 1.0, 0.0, 0.0}}},
+    Symbol{"g", Prefixes::kAll, {{1.0, 0.0, 0.0, 0.0}, -3.0}},
+    Symbol{"t", Prefixes::kAll, {{1.0, 0.0, 0.0, 0.0}, 3.0}},
+    Symbol{"N", Prefixes::kAll, {kForce}},
+    Symbol{"s", Prefixes::kSmall, {{0.0, 0.0, 1.0, 0.0}}},
+    Symbol{"rad", Prefixes::kSmall, {{0.0, 0.0, 0.0, 1.0}}},
+    Symbol{"Hz", Prefixes::kAll, {{0.0, 0.0, -1.0, 0.0}}},
+    Symbol{"tf", Prefixes::kAll, {kForce, -2.0, 0.0, 1.0}},
+    Symbol{"deg", Prefixes::kNone, {{0.0, 0.0, 0.0, 1.0}, 0.0, 0.0, 0.0, 1.0}},
+    Symbol{"min", Prefixes::kNone, {{0.0, 0.0, 1.0, 0.0}, 1.0, 1.0}},
+    Symbol{"h", Prefixes::kNone, {{0.0, 0.0, 1.0, 0.0}, 2.0, 2.0}},
+    Symbol{"%", Prefixes::kNone, {{}, -2.0}},
 };
 
 constexpr std::array<std::pair<std::string_view, double>, 10> kPrefixes = {
     {{"n", -9.0}, {"u", -6.0}, {"\u00b5", -6.0}, {"\u03bc", -6.0}, {"m", -3.0}, {"c", -2.0}, {"d", -1.0}, {"k", 3.0},
      {"M", 6.0}, {"G", 9.0}}};
 
-// What people write who mean one of ours; different spellings beyond upper and lower case.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpellings = {
-    {{"sec", "s"}, {"hr", "h"}, {"kmh", "km/h"}, {"kph", "km/h"}, {"ton", "t"}, {"tons", "t"}, {"tonne", "t"},
-     {"to", "t"}, {"kgf", "tf"}, {"degree", "deg"}, {"degrees", "deg"}, {"\u00b0", "deg"}}};
-
 std::optional<Unit> lookUp(std::string_view text) {
   for (const Symbol& symbol : kSymbols) {
     if (symbol.text == text) return symbol.unit;
   }
   for (const Symbol& symbol : kSymbols) {
-    if (!symbol.takes_prefix || !text.ends_with(symbol.text)) continue;
+    if (symbol.prefixes == Prefixes::kNone || !text.ends_with(symbol.text)) continue;
+    const double most = symbol.prefixes == Prefixes::kSmall ? 0.0 : symbol.prefixes == Prefixes::kToKilo ? 3.0 : 9.0;
     for (const auto& [prefix, power] : kPrefixes) {
+      if (power > most) continue;
       if (text.size() != prefix.size() + symbol.text.size() || !text.starts_with(prefix)) continue;
       Unit unit = symbol.unit;
       unit.ten += power;
@@ -56,34 +61,6 @@ std::optional<Unit> lookUp(std::string_view text) {
     }
   }
   return std::nullopt;
-}
-
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
-// The unit that was probably meant: other spelling, other case ("KN"), a product without its sign ("kNm").
-std::string suggestionFor(std::string_view text) {
-  for (const auto& [spelling, meant] : kSpellings) {
-    if (lowerCase(text) == spelling) return std::string(meant);
-  }
-  for (const Symbol& symbol : kSymbols) {
-    if (lowerCase(symbol.text) == lowerCase(text)) return std::string(symbol.text);
-    if (!symbol.takes_prefix) continue;
-    for (const auto& [prefix, power] : kPrefixes) {
-      const std::string unit = std::string(prefix) + std::string(symbol.text);
-      if (lowerCase(unit) == lowerCase(text)) return unit;
-    }
-  }
-  for (std::size_t cut = 1; cut < text.size() && text.size() <= 8; ++cut) {
-    if (lookUp(text.substr(0, cut)) && lookUp(text.substr(cut))) {
-      return std::string(text.substr(0, cut)) + '*' + std::string(text.substr(cut));
-    }
-  }
-  return "";
 }
 
 // A message is one line to be read: of a runaway text the head is enough.
@@ -176,11 +153,7 @@ class Parser {
     const std::string_view text = start.substr(0, start.size() - rest_.size());
     if (text.empty()) return fail();
     const std::optional<Unit> found = lookUp(text);
-    if (!found) {
-      const std::string suggestion = suggestionFor(text);
-      return fail("has the unknown unit " + quoted(text),
-                  suggestion.empty() ? "" : "did you mean \"" + suggestion + "\"?");
-    }
+    if (!found) return fail("has the unknown unit " + quoted(text));
     if (!rest_.empty() && rest_.front() >= '0' && rest_.front() <= '9') {
       return fail("", "a power is written with \"^\", as in \"m^2\"");
     }

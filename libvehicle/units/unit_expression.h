@@ -38,13 +38,13 @@ struct Unit {
 struct UnitReading {
   std::optional<Unit> unit;
   std::string message;  // e.g. `has the unknown unit "kM"`
-  std::string hint;     // e.g. `did you mean "km"?`; may be empty
+  std::string hint;     // e.g. `join factors with "*"`; may be empty
 };
 
 /// Reads "kN*s/m", "tf*m*s^2", "GN/m^1.5", "N/(m/s)".
 ///
-/// Symbols: m g t N s rad Hz tf with the prefixes n u (or the micro sign) m c d k M G, and deg min h %
-/// without. Products `*` or the middle dot, quotients `/` from left to right, parentheses, powers `^2`,
+/// Symbols: m g t N s rad Hz tf with the prefixes n u (or the micro sign) m c d k M G (m up to k, s and rad up to d),
+/// and deg min h % without. Products `*` or the middle dot, quotients `/` from left to right, parentheses, powers `^2`,
 /// `^-1`, `^1.5` or superscript 2 and 3 up to 9. "" is the unit of a plain number.
 [[nodiscard]] UnitReading readUnit(std::string_view text);
 

@@ -15,8 +15,9 @@ constexpr std::string_view kHead = R"(# XML files
 <!-- Written by the program from its schema table; a test compares the two. Change the table, not this page. -->
 
 These kinds of file are read: `<vehicle>`, `<train>`, `<scenario>`, `<suite>` and `<study>`; `vehicle check FILE...`
-judges any of them and tells all problems of a file in one pass, each as one line
-`FILE:LINE: error: ELEMENT: what is wrong; what to do`. `models/vehicle.xsd` is the same table for editors and
+judges any of them and prints all problems of a file in one pass, each as one line
+`FILE:LINE: error: ELEMENT: what is wrong; what to do`. A value that could not be read is reported once: what depends on
+it is not judged. `models/vehicle.xsd` is the same table for editors and
 `xmllint --schema`; dimensions and references only the program judges. A train may stand wherever a vehicle is asked
 for.
 
@@ -32,7 +33,9 @@ for.
   suspensions keep theirs in the results.
 - Files named by a file count from its folder.
 - Files are UTF-8 text of at most {} KiB. Document types, entities (but `&amp;`, `&lt;`, `&gt;`, `&quot;`, `&apos;` and
-  character numbers) and processing instructions are refused; comments are free.
+  character numbers) and processing instructions are refused; comments are free. What editors write to find the schema
+  is accepted and ignored: `xmlns:xsi`, `xsi:noNamespaceSchemaLocation` and `xsi:schemaLocation` of the root element, and
+  `<?xml-model ...?>` outside it.
 - x is positive forward from an arbitrary origin, y to the left, z up from rail top at loaded rest; pitch is positive
   nose-up, roll and yaw are right-handed about x and z.
 - Attributes marked *reserved* are for three-dimensional forms: their unit is checked, they are kept and written back

@@ -112,11 +112,7 @@ bool MarkupGuard::passMarkup() {
            "remove it; the program knows its files without");
     return false;
   }
-  if (rest.substr(0, 2) == "<?") {
-    report(at_, "processing instructions (\"<?\") are not allowed here",
-           "only <?xml version=\"1.0\" encoding=\"UTF-8\"?> may stand, at the very beginning");
-    return passUntil("?>", 2, "<?");
-  }
+  if (rest.substr(0, 2) == "<?") return passInstruction();
   return rest.substr(0, 2) == "</" ? passClosingTag() : passOpeningTag();
 }
 
@@ -128,6 +124,22 @@ bool MarkupGuard::passUntil(std::string_view close, std::size_t opening, std::st
   }
   at_ = end + close.size();
   return true;
+}
+
+bool MarkupGuard::passInstruction() {
+  const std::size_t begin = at_;
+  constexpr std::string_view kModel = "<?xml-model";
+  const std::string_view rest = text_.substr(at_);
+  const bool names_schema = rest.starts_with(kModel) && rest.size() > kModel.size() && isSpace(rest[kModel.size()]);
+  if (names_schema && open_.empty()) {
+    if (!passUntil("?>", 2, "<?")) return false;
+    ignored_.emplace_back(begin, at_);
+    return true;
+  }
+  report(at_, "processing instructions (\"<?\") are not allowed here",
+         "only <?xml version=\"1.0\" encoding=\"UTF-8\"?> may stand, at the very beginning, and <?xml-model ...?> "
+         "outside the root element");
+  return passUntil("?>", 2, "<?");
 }
 
 bool MarkupGuard::passSection() {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libvehicle/diagnostics/problem.h"
@@ -18,7 +19,8 @@ inline constexpr std::size_t kMostAttributes = 64;
 
 /// Walks once through a text from markup to markup and holds it against XML 1.0: tags of the right form that
 /// open and close in pairs below one root, attributes once each and in quotation marks, comments and CDATA
-/// closed, no entities but the five of XML, and neither document types nor processing instructions.
+/// closed, no entities but the five of XML, and neither document types nor processing instructions but <?xml-model?>,
+/// by which editors find a schema.
 ///
 /// Goes on after what is wrong by itself, and ends where the rest could no longer be understood.
 class MarkupGuard {
@@ -27,6 +29,9 @@ class MarkupGuard {
 
   /// @param begin  first byte of the markup, behind byte order mark and declaration
   [[nodiscard]] ProblemList run(std::size_t begin);
+
+  /// Bytes [from, to) that mean nothing to this program: <?xml-model ...?>.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ignored() const { return ignored_; }
 
  private:
   struct OpenTag {
@@ -39,6 +44,7 @@ class MarkupGuard {
   void passCharacter();
   bool passMarkup();
   bool passUntil(std::string_view close, std::size_t opening, std::string_view name);
+  bool passInstruction();
   bool passSection();
   bool passComment();
   bool passClosingTag();
@@ -56,6 +62,7 @@ class MarkupGuard {
   std::vector<OpenTag> open_;
   std::string_view root_;  // empty before the root element
   ProblemList problems_;
+  std::vector<std::pair<std::size_t, std::size_t>> ignored_;
 };
 
 }  // namespace vehicle

@@ -17,6 +17,7 @@ std::string resolvePath(const std::string& naming_file, const std::string& named
 ProblemList checkNamedFile(const std::string& holder, const FileReference& reference,
                            const std::vector<FileKind>& kinds, FileSource& files) {
   ProblemList problems;
+  if (!reference.origin.knows("file")) return problems;
   const std::string& element = schemaOf(kinds.front()).name;
   const std::string path = fmt::format("<{}><{}>", holder, element);
   const std::string written = fmt::format("file=\"{}\"", shown(reference.file));

@@ -1,6 +1,8 @@
 #include "libvehicle/xml/part_reader.h"
 
+#include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -28,6 +30,12 @@ std::string unwrapped(std::string_view text) {
     line += c;
   }
   return line;
+}
+
+/// What editors write so that they find the schema of a file: nothing that the file says itself.
+bool isSchemaReference(std::string_view attribute) {
+  return attribute == "xmlns:xsi" || attribute == "xsi:noNamespaceSchemaLocation" ||
+         attribute == "xsi:schemaLocation";
 }
 
 bool mayStand(const ElementRow& candidate, bool inside_group) { return !inside_group || candidate.in_group; }
@@ -61,85 +69,113 @@ void PartReader::read(const tinyxml2::XMLElement& root, const ElementRow& row, v
     const AttributeReading reading = readAttribute(*format, given->Value());
     if (!reading.message.empty()) {
       report(given->GetLineNum(), path, reading.message, reading.remedy);
-      complete_ = false;
+      readable_ = false;
       return;
     }
   }
-  readAttributes(root, row, object, path);
+  PartText text = readAttributes(root, row, object, path);
   readChildren(root, {row, object, path, nullptr, nullptr, ""});
+  text.strange_words = std::move(strange_words_);
+  text.has_strange = has_strange_;
+  row.origin(object)->text = std::make_shared<const PartText>(std::move(text));
 }
 
-void PartReader::readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
-                                const std::string& path) {
-  std::set<std::string> given;  // also those that were meant by a misspelt one
+PartText PartReader::readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
+                                    const std::string& path) {
+  Attributes of{element, row, object, path};
   std::vector<const tinyxml2::XMLAttribute*> unknown;
   for (const tinyxml2::XMLAttribute* each = element.FirstAttribute(); each != nullptr; each = each->Next()) {
+    if (isSchemaReference(each->Name()) && element.Parent()->ToDocument() != nullptr) continue;
     const AttributeRow* known = row.attribute(each->Name());
     if (known == nullptr) {
       unknown.push_back(each);
-      continue;
+    } else {
+      readOne(*each, *known, of);
     }
-    given.insert(known->name);
-    readOne(*each, *known, row, object, path);
   }
+  bool something_strange = false;
   for (const tinyxml2::XMLAttribute* each : unknown) {
-    std::vector<std::string> names;
-    for (const AttributeRow& candidate : row.attributes) {
-      if (given.count(candidate.name) == 0) names.push_back(candidate.name);
-    }
-    const auto meant = suggestion(each->Name(), names);
-    std::string remedy =
-        names.empty() ? "remove it" : fmt::format("what may still stand here: {}", joined(names, ", "));
-    if (meant) remedy = fmt::format("did you mean \"{}\"?", *meant);
-    report(each->GetLineNum(), path, fmt::format("attribute \"{}\" is unknown", shown(each->Name())),
-           std::move(remedy));
-    if (!meant) continue;
-    given.insert(*meant);
-    readOne(*each, *row.attribute(*meant), row, object, path);
+    if (!readMisspelt(*each, of)) something_strange = true;
   }
-  for (const AttributeRow& several : row.attributes) {
-    if (several.sets.empty() || given.count(several.name) == 0) continue;
+  readStandingFor(of);
+  addMissing(something_strange, of);
+  of.text.whole = std::all_of(of.text.attributes.begin(), of.text.attributes.end(),
+                              [](const AttributeText& each) { return each.known; });
+  return std::move(of.text);
+}
+
+void PartReader::readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row, Attributes& of) {
+  of.given.insert(row.name);
+  AttributeReading reading = readAttribute(row, attribute.Value());
+  const bool known = reading.message.empty();
+  if (!known) report(attribute.GetLineNum(), of.path, std::move(reading.message), std::move(reading.remedy));
+  of.text.attributes.push_back({row.name, attribute.Name(), attribute.Value(), attribute.GetLineNum(), true, known});
+  if (row.reserved) {
+    of.row.reserved(of.object)->push_back({row.name, attribute.Value()});
+  } else if (row.set != nullptr) {
+    row.set(of.object, reading.value);
+  }
+}
+
+/// Reads an attribute that the table does not have as the one that is probably meant: of a like name, or a missing one
+/// that the value fits. False: it stays open.
+bool PartReader::readMisspelt(const tinyxml2::XMLAttribute& attribute, Attributes& of) {
+  std::vector<std::string> names;
+  const AttributeRow* fitting = nullptr;
+  for (const AttributeRow& candidate : of.row.attributes) {
+    if (of.given.contains(candidate.name)) continue;
+    names.push_back(candidate.name);
+    const bool fits = candidate.required && readAttribute(candidate, attribute.Value()).message.empty();
+    if (fits && fitting == nullptr) fitting = &candidate;
+  }
+  const auto like = suggestion(attribute.Name(), names);
+  const AttributeRow* meant = like ? of.row.attribute(*like) : fitting;
+  std::string remedy = names.empty() ? "remove it" : fmt::format("what may still stand here: {}", joined(names, ", "));
+  if (meant != nullptr) remedy = fmt::format("did you mean \"{}\"?", meant->name);
+  report(attribute.GetLineNum(), of.path, fmt::format("attribute \"{}\" is unknown", shown(attribute.Name())),
+         std::move(remedy));
+  if (meant == nullptr) return false;
+  readOne(attribute, *meant, of);
+  // What only the value suggests is no firm ground for further judgement.
+  if (!like) of.text.attributes.back().known = false;
+  return true;
+}
+
+/// What one attribute says for several (z for both ends) is said of each.
+void PartReader::readStandingFor(Attributes& of) {
+  for (const AttributeRow& several : of.row.attributes) {
+    if (several.sets.empty() || !of.given.contains(several.name)) continue;
+    const auto source = std::find_if(of.text.attributes.begin(), of.text.attributes.end(),
+                                     [&](const AttributeText& each) { return each.name == several.name; });
+    const AttributeText said = *source;
     for (const std::string& name : several.sets) {
-      if (given.count(name) != 0) {
-        report(element.GetLineNum(), path,
+      if (!of.given.insert(name).second) {
+        report(of.element.GetLineNum(), of.path,
                fmt::format("\"{}\" and \"{}\" are both given, and {} stands for {}", several.name, name, several.name,
                            joined(several.sets, ", ")),
                "remove one of them");
+        std::erase_if(of.text.attributes, [&](const AttributeText& each) { return each.name == name; });
       }
-      given.insert(name);
+      of.text.attributes.push_back({name, said.written, said.text, said.line, true, said.known});
     }
   }
-  reportMissing(element, row, object, given, path);
 }
 
-void PartReader::readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row,
-                         const ElementRow& element_row, void* object, const std::string& path) {
-  AttributeReading reading = readAttribute(row, attribute.Value());
-  if (!reading.message.empty()) {
-    report(attribute.GetLineNum(), path, std::move(reading.message), std::move(reading.remedy));
-    // Whoever is called or calls wrongly is missing elsewhere; of an empty text check() would say so again.
-    const bool names = row.kind == ValueKind::kName || row.kind == ValueKind::kReference;
-    if (names || row.kind == ValueKind::kText) complete_ = false;
-  }
-  if (row.reserved) {
-    element_row.reserved(object)->push_back({row.name, attribute.Value()});
-  } else if (row.set != nullptr) {
-    row.set(object, reading.value);
-  }
-}
-
-void PartReader::reportMissing(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
-                               const std::set<std::string>& given, const std::string& path) {
-  for (const AttributeRow& each : row.attributes) {
-    if (!each.required || given.count(each.name) != 0) continue;
-    report(element.GetLineNum(), path, fmt::format("attribute \"{}\" is missing", each.name),
-           fmt::format("write e.g. {}", exampleOf(each, row)));
-    if (each.kind == ValueKind::kFormat) continue;
-    const Value instead = standInFor(each);
-    if (std::holds_alternative<std::monostate>(instead)) {
-      complete_ = false;
-    } else {
-      each.set(object, instead);
+/// @param something_strange  an attribute of the element was not understood: it may mean any that is left out
+void PartReader::addMissing(bool something_strange, Attributes& of) {
+  const int line = of.element.GetLineNum();
+  for (const AttributeRow& each : of.row.attributes) {
+    if (of.given.contains(each.name)) continue;
+    if (each.required) {
+      report(line, of.path, fmt::format("attribute \"{}\" is missing", each.name),
+             fmt::format("write e.g. {}", exampleOf(each, of.row)));
+      if (each.kind == ValueKind::kFormat) continue;
+      const Value instead = standInFor(each);
+      if (!std::holds_alternative<std::monostate>(instead)) each.set(of.object, instead);
+    }
+    const bool known = !each.required && !something_strange;
+    if (!known || !each.fallback.empty()) {
+      of.text.attributes.push_back({each.name, each.name, each.fallback, line, false, known});
     }
   }
 }
@@ -152,7 +188,7 @@ const ElementRow* PartReader::rowFor(const tinyxml2::XMLElement& child, const Sc
     if (mayStand(*found, inside_group)) return found;
     report(child.GetLineNum(), scope.path, fmt::format("<{}> stands inside <{}>", name, scope.row.name),
            fmt::format("close <{}> before it", scope.row.name));
-    complete_ = false;
+    addStrange(child);
     return nullptr;
   }
   std::vector<std::string> names;
@@ -174,12 +210,25 @@ const ElementRow* PartReader::rowFor(const tinyxml2::XMLElement& child, const Sc
   }
   report(child.GetLineNum(), scope.path, std::move(message), std::move(remedy));
   if (meant) return family.child(*meant);
-  complete_ = false;
+  addStrange(child);
   return nullptr;
+}
+
+/// Keeps the words of an element that means nothing: what they name may be in order all the same.
+void PartReader::addStrange(const tinyxml2::XMLElement& element) {
+  has_strange_ = true;
+  for (const tinyxml2::XMLAttribute* each = element.FirstAttribute(); each != nullptr; each = each->Next()) {
+    strange_words_.emplace_back(each->Value());
+  }
+  for (const tinyxml2::XMLElement* child = element.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    addStrange(*child);
+  }
 }
 
 void PartReader::readChildren(const tinyxml2::XMLElement& element, const Scope& scope) {
   std::map<std::string, int> first_line;
+  bool strange = false;  // of these children: one of them may be a required one that seems to be missing
   for (const tinyxml2::XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
     if (node->ToText() != nullptr) {
       report(node->GetLineNum(), scope.path,
@@ -190,7 +239,10 @@ void PartReader::readChildren(const tinyxml2::XMLElement& element, const Scope& 
     const tinyxml2::XMLElement* child = node->ToElement();
     if (child == nullptr) continue;
     const ElementRow* row = rowFor(*child, scope);
-    if (row == nullptr) continue;
+    if (row == nullptr) {
+      strange = true;
+      continue;
+    }
     const auto [first, is_first] = first_line.emplace(row->name, child->GetLineNum());
     if (!is_first && !row->many) {
       report(child->GetLineNum(), scope.path,
@@ -201,11 +253,14 @@ void PartReader::readChildren(const tinyxml2::XMLElement& element, const Scope& 
     readChild(*child, *row, scope);
   }
   for (const ElementRow& row : scope.row.children) {
-    if (row.required && first_line.count(row.name) == 0) {
+    if (!row.required || first_line.contains(row.name)) continue;
+    if (!strange) {
       report(element.GetLineNum(), scope.path, fmt::format("element <{}> is missing", row.name),
              fmt::format("write e.g. {}", row.example));
-      complete_ = false;
     }
+    Origin& origin = *row.origin(row.add(scope.object));
+    origin = {{file_, element.GetLineNum()}};
+    origin.text = std::make_shared<const PartText>(PartText{{}, false, false, {}, false});
   }
 }
 
@@ -218,7 +273,7 @@ void PartReader::readChild(const tinyxml2::XMLElement& child, const ElementRow& 
   }
   void* object = row.add(parent);
   *row.origin(object) = {{file_, child.GetLineNum()}};
-  readAttributes(child, row, object, path);
+  row.origin(object)->text = std::make_shared<const PartText>(readAttributes(child, row, object, path));
   if (row.group != nullptr) *row.group(object) = scope.group;
   if (row.is_group) {
     const Value name = row.attribute("name")->get(object);
@@ -230,7 +285,7 @@ void PartReader::readChild(const tinyxml2::XMLElement& child, const ElementRow& 
 
 void PartReader::readText(const tinyxml2::XMLElement& element, const ElementRow& row, std::string& text,
                           const std::string& path) {
-  readAttributes(element, row, nullptr, path);
+  static_cast<void>(readAttributes(element, row, nullptr, path));
   std::string all;
   for (const tinyxml2::XMLNode* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
     if (node->ToText() != nullptr) {

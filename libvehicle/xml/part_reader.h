@@ -13,8 +13,9 @@ namespace vehicle {
 
 /// Fills a definition from a tree of elements by walking the schema table, and goes on after every problem.
 ///
-/// What is misspelt is told and then read as what was meant, and what has a wrong value is told and then has
-/// some value in range: so one mistake makes one message, and definition's check() can judge the rest.
+/// What is misspelt is reported and then read as what was meant. What has a wrong value, is missing or is not understood
+/// is reported and marked in the part's Origin, so that one mistake makes one message and definition's check() can judge
+/// the rest.
 class PartReader {
  public:
   explicit PartReader(std::string file) : file_(std::move(file)) {}
@@ -23,8 +24,8 @@ class PartReader {
   /// @param object  the struct that `row` is bound to
   void read(const tinyxml2::XMLElement& root, const ElementRow& row, void* object);
 
-  /// False where parts are missing in a way that would make check() talk about their absence.
-  [[nodiscard]] bool isComplete() const { return complete_; }
+  /// False where nothing is known of the file's meaning: it is of another format.
+  [[nodiscard]] bool isReadable() const { return readable_; }
   [[nodiscard]] ProblemList takeProblems() { return std::move(problems_); }
 
  private:
@@ -37,22 +38,34 @@ class PartReader {
     void* holder_object;
     std::string group;  // name of that group
   };
+  /// The attributes of one element on their way into its struct.
+  struct Attributes {
+    const tinyxml2::XMLElement& element;
+    const ElementRow& row;
+    void* object;
+    const std::string& path;
+    PartText text = {};
+    std::set<std::string> given = {};  // also those that were meant by a misspelt one
+  };
 
-  void readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
-                      const std::string& path);
-  void readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row, const ElementRow& element_row,
-               void* object, const std::string& path);
-  void reportMissing(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
-                     const std::set<std::string>& given, const std::string& path);
+  PartText readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,
+                          const std::string& path);
+  void readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row, Attributes& of);
+  bool readMisspelt(const tinyxml2::XMLAttribute& attribute, Attributes& of);
+  void readStandingFor(Attributes& of);
+  void addMissing(bool something_strange, Attributes& of);
   void readChildren(const tinyxml2::XMLElement& element, const Scope& scope);
   void readChild(const tinyxml2::XMLElement& child, const ElementRow& row, const Scope& scope);
   void readText(const tinyxml2::XMLElement& element, const ElementRow& row, std::string& text, const std::string& path);
   const ElementRow* rowFor(const tinyxml2::XMLElement& child, const Scope& scope);
+  void addStrange(const tinyxml2::XMLElement& element);
   void report(int line, const std::string& path, std::string message, std::string remedy);
 
   std::string file_;
   ProblemList problems_;
-  bool complete_ = true;
+  std::vector<std::string> strange_words_;  // values inside elements that were not understood
+  bool has_strange_ = false;
+  bool readable_ = true;
 };
 
 }  // namespace vehicle

@@ -45,61 +45,105 @@ ProblemList firstOf(const ProblemList& all) {
   return first;
 }
 
+/// What a text says as far as it can be understood, and the problems of its form.
 template <class Definition>
-Outcome<Definition> readDefinition(std::string_view text, const std::string& file_name, FileKind kind) {
-  Outcome<Definition> outcome;
+Outcome<Definition> formOf(std::string_view text, const std::string& file_name, FileKind kind) {
+  Outcome<Definition> draft;
   const Document document = parseDocument(text, file_name);
-  outcome.problems = document.problems;
-  if (document.root == nullptr) return outcome;
+  draft.problems = document.problems;
+  if (document.root == nullptr) return draft;
 
   const ElementRow& schema = schemaOf(kind);
   const std::optional<FileKind> found = kindNamed(document.root->Value());
   if (!found) {
-    outcome.problems.add(unknownRoot(*document.root, file_name));
-    return outcome;
+    draft.problems.add(unknownRoot(*document.root, file_name));
+    return draft;
   }
   if (*found != kind) {
-    outcome.problems.add({{file_name, document.root->GetLineNum()},
-                          "",
-                          fmt::format("the file holds a <{}>", document.root->Value()),
-                          fmt::format("a <{}> is expected here", schema.name)});
-    return outcome;
+    draft.problems.add({{file_name, document.root->GetLineNum()},
+                        "",
+                        fmt::format("the file holds a <{}>", document.root->Value()),
+                        fmt::format("a <{}> is expected here", schema.name)});
+    return draft;
   }
-
   Definition definition;
   PartReader reader(file_name);
   reader.read(*document.root, schema, &definition);
-  outcome.problems = reader.takeProblems();
-  if (reader.isComplete()) outcome.problems.append(check(definition));
-  outcome.problems.sortByPlace();
-  outcome.problems = firstOf(outcome.problems);
-  if (outcome.problems.empty()) outcome.value = std::move(definition);
-  return outcome;
+  draft.problems = reader.takeProblems();
+  if (reader.isReadable()) draft.value = std::move(definition);
+  return draft;
 }
 
 template <class Definition>
-Outcome<Definition> readFile(const std::string& path, FileKind kind, FileSource& files) {
+Outcome<Definition> formOf(const std::string& path, FileKind kind, FileSource& files) {
   const Outcome<std::string>& text = files.text(path);
   if (!text.value) return {std::nullopt, text.problems};
-  return readDefinition<Definition>(*text.value, path, kind);
+  return formOf<Definition>(*text.value, path, kind);
 }
 
-/// Fills in what the files of a train's vehicles hold; a file that is named twice is reported once.
-void readVehiclesOf(Train& train, FileSource& files, ProblemList& problems) {
-  std::map<std::string, Outcome<Vehicle>> known;
-  for (TrainVehicle& each : train.vehicles) {
-    const std::string path = resolvePath(each.origin.file, each.file);
-    auto found = known.find(path);
-    if (found == known.end()) {
-      const ProblemList missing = checkNamedFile("train", {each.file, each.origin}, {FileKind::kVehicle}, files);
-      problems.append(missing);
-      if (!missing.empty()) continue;
-      found = known.emplace(path, readFile<Vehicle>(path, FileKind::kVehicle, files)).first;
-      problems.append(found->second.problems);
-    }
-    if (found->second.value) each.vehicle = *found->second.value;
-  }
+/// The same with the contradictions that check() finds.
+template <class Definition>
+Outcome<Definition> checked(Outcome<Definition> draft) {
+  if (draft.value) draft.problems.append(check(*draft.value));
+  draft.problems.sortByPlace();
+  draft.problems = firstOf(draft.problems);
+  return draft;
 }
+
+/// A draft with a value only where there are no problems.
+template <class Definition>
+Outcome<Definition> finished(Outcome<Definition> draft) {
+  if (!draft.problems.empty()) draft.value.reset();
+  return draft;
+}
+
+template <class Definition>
+Outcome<Definition> readDefinition(std::string_view text, const std::string& file_name, FileKind kind) {
+  return finished(checked(formOf<Definition>(text, file_name, kind)));
+}
+
+template <class Definition>
+Outcome<Definition> draftFile(const std::string& path, FileKind kind, FileSource& files) {
+  return checked(formOf<Definition>(path, kind, files));
+}
+
+/// What the files of a train's vehicles hold; a file that is named twice is reported once.
+class TrainFiles {
+ public:
+  TrainFiles(FileSource& files, ProblemList& problems) : files_(files), problems_(problems) {}
+
+  void fill(Train& train) {
+    for (TrainVehicle& each : train.vehicles) {
+      if (!each.origin.knows("file")) continue;
+      const std::string path = resolvePath(each.origin.file, each.file);
+      const auto [found, is_new] = drafts_.try_emplace(path);
+      if (is_new) read(each, path, found->second);
+      if (found->second.ok()) each.vehicle = *found->second.value;
+    }
+  }
+
+  /// Each vehicle as far as it could be read.
+  std::vector<Vehicle> takeDrafts() {
+    std::vector<Vehicle> drafts;
+    for (auto& [path, draft] : drafts_) {
+      if (draft.value) drafts.push_back(std::move(*draft.value));
+    }
+    return drafts;
+  }
+
+ private:
+  void read(const TrainVehicle& each, const std::string& path, Outcome<Vehicle>& draft) {
+    const ProblemList missing = checkNamedFile("train", {each.file, each.origin}, {FileKind::kVehicle}, files_);
+    problems_.append(missing);
+    if (!missing.empty()) return;
+    draft = draftFile<Vehicle>(path, FileKind::kVehicle, files_);
+    problems_.append(draft.problems);
+  }
+
+  FileSource& files_;
+  ProblemList& problems_;
+  std::map<std::string, Outcome<Vehicle>> drafts_;
+};
 
 }  // namespace
 
@@ -124,32 +168,57 @@ Outcome<Study> readStudyText(std::string_view text, const std::string& file_name
 }
 
 Outcome<Vehicle> readVehicle(const std::string& path, FileSource& files) {
-  if (kindOf(path, files).value != FileKind::kTrain) return readFile<Vehicle>(path, FileKind::kVehicle, files);
+  if (kindOf(path, files).value != FileKind::kTrain) {
+    return finished(draftFile<Vehicle>(path, FileKind::kVehicle, files));
+  }
   Outcome<Train> train = readTrain(path, files);
   if (!train.value) return {std::nullopt, std::move(train.problems)};
   return {assembled(*train.value), {}};
 }
 
 Outcome<Train> readTrain(const std::string& path, FileSource& files) {
-  Outcome<Train> outcome = readFile<Train>(path, FileKind::kTrain, files);
-  if (!outcome.value) return outcome;
-  readVehiclesOf(*outcome.value, files, outcome.problems);
-  if (outcome.problems.empty()) outcome.problems = check(*outcome.value);
-  outcome.problems = firstOf(outcome.problems);
-  if (!outcome.problems.empty()) outcome.value.reset();
-  return outcome;
+  Outcome<Train> draft = formOf<Train>(path, FileKind::kTrain, files);
+  if (!draft.value) return draft;
+  ProblemList of_vehicles;
+  TrainFiles(files, of_vehicles).fill(*draft.value);
+  draft = checked(std::move(draft));
+  draft.problems.append(of_vehicles);
+  draft.problems = firstOf(draft.problems);
+  return finished(std::move(draft));
 }
 
 Outcome<Scenario> readScenario(const std::string& path, FileSource& files) {
-  return readFile<Scenario>(path, FileKind::kScenario, files);
+  return finished(draftScenario(path, files));
 }
 
-Outcome<Suite> readSuite(const std::string& path, FileSource& files) {
-  return readFile<Suite>(path, FileKind::kSuite, files);
+Outcome<Suite> readSuite(const std::string& path, FileSource& files) { return finished(draftSuite(path, files)); }
+
+Outcome<Study> readStudy(const std::string& path, FileSource& files) { return finished(draftStudy(path, files)); }
+
+std::vector<Vehicle> draftVehicles(const std::string& path, FileSource& files) {
+  if (kindOf(path, files).value == FileKind::kTrain) {
+    Outcome<Train> train = formOf<Train>(path, FileKind::kTrain, files);
+    ProblemList ignored;
+    TrainFiles of_train(files, ignored);
+    if (train.value) of_train.fill(*train.value);
+    return of_train.takeDrafts();
+  }
+  std::vector<Vehicle> drafts;
+  Outcome<Vehicle> draft = formOf<Vehicle>(path, FileKind::kVehicle, files);
+  if (draft.value) drafts.push_back(std::move(*draft.value));
+  return drafts;
 }
 
-Outcome<Study> readStudy(const std::string& path, FileSource& files) {
-  return readFile<Study>(path, FileKind::kStudy, files);
+Outcome<Scenario> draftScenario(const std::string& path, FileSource& files) {
+  return draftFile<Scenario>(path, FileKind::kScenario, files);
+}
+
+Outcome<Suite> draftSuite(const std::string& path, FileSource& files) {
+  return draftFile<Suite>(path, FileKind::kSuite, files);
+}
+
+Outcome<Study> draftStudy(const std::string& path, FileSource& files) {
+  return draftFile<Study>(path, FileKind::kStudy, files);
 }
 
 Outcome<FileKind> kindOf(const std::string& path, FileSource& files) {

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/study.h"
@@ -45,6 +46,15 @@ namespace vehicle {
 [[nodiscard]] Outcome<Study> readStudy(const std::string& path, FileSource& files);
 [[nodiscard]] Outcome<Study> readStudy(const std::string& path);
 [[nodiscard]] Outcome<Study> readStudyText(std::string_view text, const std::string& file_name);
+
+// Drafts are for checks that look further than one file: a file as far as it could be read, with all its problems. There
+// is a value unless nothing at all can be said; parts that could not be read are marked in their Origin.
+
+/// The vehicle of a file, or each vehicle that a train names; their problems are those of readVehicle().
+[[nodiscard]] std::vector<Vehicle> draftVehicles(const std::string& path, FileSource& files);
+[[nodiscard]] Outcome<Scenario> draftScenario(const std::string& path, FileSource& files);
+[[nodiscard]] Outcome<Suite> draftSuite(const std::string& path, FileSource& files);
+[[nodiscard]] Outcome<Study> draftStudy(const std::string& path, FileSource& files);
 
 /// What a file is about, by its root element.
 [[nodiscard]] Outcome<FileKind> kindOf(const std::string& path, FileSource& files);

@@ -18,8 +18,17 @@ AttributeRow memberName() {
   return row;
 }
 
+template <auto kMember>
 AttributeRow railRow() {
-  return reservedChoice("rail", {"left", "right", "both"}, "the rail that it lies on; without: the mean of both");
+  return choice<kMember>("rail", {"both", "left", "right"},
+                         "the rail that it lies on; planar forms take the mean of both rails, so left or right alone "
+                         "counts half")
+      .orElse("both");
+}
+
+template <auto kMember>
+AttributeRow shapeRow() {
+  return choice<kMember>("shape", {"one_minus_cosine", "half_sine"}, "its form").asRequired();
 }
 
 ElementRow runRow() {
@@ -51,7 +60,7 @@ ElementRow harmonicRow() {
           quantity<&Harmonic::order>("order", Dimension::kNumber, kPositive, "waves per wavelength").orElse("1"),
           quantity<&Harmonic::amplitude>("amplitude", Dimension::kLength, kAny, "amplitude").asRequired(),
           quantity<&Harmonic::phase>("phase", Dimension::kAngle, kAny, "phase at s = 0").orElse("0 rad"),
-          railRow(),
+          railRow<&Harmonic::rail>(),
       });
 }
 
@@ -62,11 +71,27 @@ ElementRow dipRow() {
       R"(<dip shape="half_sine" depth="8 mm" length="2 m" start="20 m"/>)",
       {
           memberName<&Dip::name>(),
-          choice<&Dip::shape>("shape", {"one_minus_cosine", "half_sine"}, "its form").asRequired(),
+          shapeRow<&Dip::shape>(),
           quantity<&Dip::depth>("depth", Dimension::kLength, kAny, "largest depth, positive downward").asRequired(),
           quantity<&Dip::length>("length", Dimension::kLength, kPositive, "length").asRequired(),
           quantity<&Dip::start>("start", Dimension::kLength, kAny, "where it begins").orElse("0 m"),
-          railRow(),
+          railRow<&Dip::rail>(),
+      });
+}
+
+ElementRow bumpRow() {
+  return element<&Track::bumps>(
+      "bump",
+      "A dip turned upward. one_minus_cosine: height/2 (1 - cos(2 pi (s - start)/length)); half_sine: height sin(pi (s - "
+      "start)/length)",
+      R"(<bump shape="one_minus_cosine" height="10 mm" length="3 m" start="20 m"/>)",
+      {
+          memberName<&Bump::name>(),
+          shapeRow<&Bump::shape>(),
+          quantity<&Bump::height>("height", Dimension::kLength, kAny, "largest height, positive upward").asRequired(),
+          quantity<&Bump::length>("length", Dimension::kLength, kPositive, "length").asRequired(),
+          quantity<&Bump::start>("start", Dimension::kLength, kAny, "where it begins").orElse("0 m"),
+          railRow<&Bump::rail>(),
       });
 }
 
@@ -79,7 +104,7 @@ ElementRow rampRow() {
           quantity<&Ramp::rise>("rise", Dimension::kLength, kAny, "height at its end, positive upward").asRequired(),
           quantity<&Ramp::length>("length", Dimension::kLength, kPositive, "length").asRequired(),
           quantity<&Ramp::start>("start", Dimension::kLength, kAny, "where it begins").orElse("0 m"),
-          railRow(),
+          railRow<&Ramp::rail>(),
       });
 }
 
@@ -96,7 +121,7 @@ ElementRow trackRow() {
           quantity<&Track::fade_in>("fade_in", Dimension::kLength, kPositive,
                                     "with onset: way over which harmonics grow from 0 to their height"),
       },
-      {harmonicRow(), dipRow(), rampRow()});
+      {harmonicRow(), dipRow(), bumpRow(), rampRow()});
 }
 
 ElementRow rigRow() {
@@ -108,13 +133,17 @@ ElementRow rigRow() {
           R"(<input wheelset="wheelset_1"> <sine amplitude="6 mm" angular_frequency="5 rad/s"/> </input>)",
           {reference<&RigInput::wheelset>("wheelset", "a wheelset of the vehicle")},
           {element<&RigInput::sines>(
-              "sine", "height = amplitude sin(angular_frequency t + phase), for all t",
-              R"(<sine amplitude="6.2 mm" angular_frequency="5.03 rad/s" phase="0.3 rad"/>)",
+              "sine",
+              "height = amplitude sin(w t + phase), for all t; w is angular_frequency, or 2 pi frequency: one of the two "
+              "is given",
+              R"(<sine amplitude="6.2 mm" frequency="0.8 Hz" phase="0.3 rad"/>)",
               {
+                  memberName<&RigSine::name>(),
                   quantity<&RigSine::amplitude>("amplitude", Dimension::kLength, kAny, "amplitude").asRequired(),
                   quantity<&RigSine::angular_frequency>("angular_frequency", Dimension::kAngularVelocity, kPositive,
-                                                        "angular frequency")
-                      .asRequired(),
+                                                        "angular frequency; this or frequency"),
+                  quantity<&RigSine::frequency>("frequency", Dimension::kFrequency, kPositive,
+                                                "frequency; this or angular_frequency"),
                   quantity<&RigSine::phase>("phase", Dimension::kAngle, kAny, "phase at t = 0").orElse("0 rad"),
               })})});
 }

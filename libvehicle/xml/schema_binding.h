@@ -125,13 +125,6 @@ inline AttributeRow reservedQuantity(std::string attribute_name, Dimension dimen
   return row;
 }
 
-inline AttributeRow reservedChoice(std::string attribute_name, std::vector<std::string> choices, std::string sentence) {
-  AttributeRow row = reservedQuantity(std::move(attribute_name), Dimension::kNumber, std::move(sentence));
-  row.kind = ValueKind::kChoice;
-  row.choices = std::move(choices);
-  return row;
-}
-
 template <class Object>
 ElementRow object(std::string name, std::string sentence, std::string example, std::vector<AttributeRow> attributes,
                   std::vector<ElementRow> children) {

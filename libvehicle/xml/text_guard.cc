@@ -55,15 +55,15 @@ bool isUtf8(std::string name) {
   return name == "UTF-8" || name == "US-ASCII";
 }
 
-ProblemList single(std::string_view file_name, int line, std::string message, std::string remedy) {
+GuardedText single(std::string_view file_name, int line, std::string message, std::string remedy) {
   Problem problem;
   problem.place.file = file_name;
   problem.place.line = line;
   problem.message = std::move(message);
   problem.remedy = std::move(remedy);
-  ProblemList problems;
-  problems.add(std::move(problem));
-  return problems;
+  GuardedText guarded;
+  guarded.problems.add(std::move(problem));
+  return guarded;
 }
 
 }  // namespace
@@ -72,11 +72,11 @@ Problem tooMany(const Place& place) {
   Problem problem;
   problem.place = place;
   problem.message = fmt::format("there are more than {} problems", kMostProblems);
-  problem.remedy = "mend these first; the others are told then";
+  problem.remedy = "correct these first; the others are printed then";
   return problem;
 }
 
-ProblemList guardText(std::string_view text, const std::string& file_name) {
+GuardedText guardText(std::string_view text, const std::string& file_name) {
   if (text.size() > kMostBytes) {
     return single(file_name, 0, fmt::format("the file is larger than {} KiB", kMostBytes / 1024),
                   "no vehicle, scenario or suite needs as much: is it the right file?");
@@ -96,7 +96,16 @@ ProblemList guardText(std::string_view text, const std::string& file_name) {
     }
     begin = end + 2;
   }
-  return MarkupGuard(text, file_name).run(begin);
+  MarkupGuard guard(text, file_name);
+  GuardedText guarded{"", guard.run(begin)};
+  if (!guarded.problems.empty()) return guarded;
+  guarded.text = text;
+  for (const auto& [from, to] : guard.ignored()) {
+    for (std::size_t i = from; i < to; ++i) {
+      if (guarded.text[i] != '\n' && guarded.text[i] != '\r') guarded.text[i] = ' ';
+    }
+  }
+  return guarded;
 }
 
 bool isXmlCharacter(std::uint32_t code) {

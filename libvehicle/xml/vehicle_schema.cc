@@ -87,7 +87,8 @@ ElementRow wheelsetRow() {
           quantity<&Wheelset::contact_damping>("contact_damping", Dimension::kDamping, kNotNegative,
                                                "damper of the contact"),
           quantity<&Wheelset::hertz_constant>("hertz_constant", Dimension::kHertzConstant, kPositive,
-                                              "C of the Hertz contact F = C delta^1.5, with loss of contact"),
+                                              "C of the Hertz contact F = C delta^1.5; it is linearised at the static load and "
+                                              "cannot open"),
           reservedQuantity("y", Dimension::kLength, "place, to the left"),
           reservedQuantity("roll_inertia", Dimension::kInertia, "moment of inertia about x"),
           reservedQuantity("pitch_inertia", Dimension::kInertia, "moment of inertia about the axle"),

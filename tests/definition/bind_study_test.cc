@@ -222,7 +222,7 @@ TEST(BindStudy, ASettleLongerThanARunIsToldBeforeTheFirstRun) {
   };
   EXPECT_EQ(problems("5 s", Evaluation::kRun), "");
   EXPECT_EQ(problems("6 s", Evaluation::kRun),
-            "s.xml:2: error: <study>: settle = 6 s leaves nothing of the run over \"calm\", which "
+            "s.xml:2: error: <study>: settle=\"6 s\" leaves nothing of the run over \"calm\", which "
             "lasts 5 s; settle less, or run longer\n");
   EXPECT_EQ(problems("6 s", Evaluation::kSteadyState), "");
 }

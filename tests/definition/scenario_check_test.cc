@@ -38,7 +38,7 @@ Scenario onRig() {
   Scenario made = onTrack();
   made.track.reset();
   made.run.speed = 0.0;
-  made.rig = Rig{{RigInput{"wheelset_1", {RigSine{6.2e-3, 5.03, 0.3, line(5)}}, line(4)}}, line(3)};
+  made.rig = Rig{{RigInput{"wheelset_1", {RigSine{"", 6.2e-3, 5.03, {}, 0.3, line(5)}}, line(4)}}, line(3)};
   return made;
 }
 
@@ -136,10 +136,10 @@ TEST(CheckScenario, OutputStepFitsTheRun) {
   EXPECT_EQ(trackProblem([](Scenario& made) { made.run.output_step = 0.0; }),
             "run.xml:2: error: <scenario><run>: output_step=\"0 s\"; must be > 0\n");
   EXPECT_EQ(trackProblem([](Scenario& made) { made.run.output_step = 20.0; }),
-            "run.xml:2: error: <scenario><run>: output_step=\"20 s\" is longer than the run, 10 s; "
+            "run.xml:2: error: <scenario><run>: output_step=\"20 s\" is longer than the run, duration=\"10 s\"; "
             "make it at most that\n");
   EXPECT_EQ(trackProblem([](Scenario& made) { made.run.output_step = 1e-9; }),
-            "run.xml:2: error: <scenario><run>: output_step=\"1e-9 s\" makes more than 10000000 samples of 10 s; "
+            "run.xml:2: error: <scenario><run>: output_step=\"1e-9 s\" makes more than 10000000 samples of the run, duration=\"10 s\"; "
             "make it at least 1e-6 s\n");
   EXPECT_EQ(trackProblem([](Scenario& made) { made.run.output_step = 1e-6; }), "");
 }
@@ -269,7 +269,7 @@ TEST(CheckScenario, ASteadyStateNeedsHarmonicsThatHaveAlwaysBeenThere) {
   EXPECT_EQ(check(made).text(), "");
   made.track->dips.push_back(dipAt(10.0));
   EXPECT_EQ(check(made).text(),
-            "run.xml:6: error: <scenario><initial_state>: from=\"periodic\" on a track with dips or ramps; "
+            "run.xml:6: error: <scenario><initial_state>: from=\"periodic\" on a track with dips, bumps or ramps; "
             "a steady state needs a track of harmonics only; from=\"zero\" or \"on_rail\" go with all\n");
   EXPECT_EQ(rigProblem([](Scenario& each) { each.initial_state.from = InitialRest::kPeriodic; }), "");
 }

@@ -267,9 +267,9 @@ TEST(CheckVehicle, ADotStandsInNamesOfATrainsPartsOnly) {
       "error: <vehicle><body name=\"coach_1.carbody\">: name=\"coach_1.carbody\"; a name is made of the letters a-z "
       "and A-Z, digits, \"_\" and \"-\"\n";
   EXPECT_EQ(check(vehicle).text(), refused);
-  vehicle.units = {{"coach_2", "", 0.0}};
+  vehicle.units = {{"coach_2", "", 0.0, {}}};
   EXPECT_EQ(check(vehicle).text(), refused);
-  vehicle.units = {{"coach_1", "", 0.0}};
+  vehicle.units = {{"coach_1", "", 0.0, {}}};
   EXPECT_EQ(check(vehicle).text(), "");
 }
 

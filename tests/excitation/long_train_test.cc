@@ -55,7 +55,7 @@ TEST(LongTrain, IsRefusedWhereItsKinksWouldFillTheMemory) {
   EXPECT_EQ(refusal(),
             "track.xml:3: error: <scenario><track>: 3000 wheelsets pass the discontinuities of the rail at different "
             "times: 6001 segments of input would take 4.02 GiB; must be at most 1 GiB; take a shorter train or run, or "
-            "fewer dips and ramps\n");
+            "fewer dips, bumps and ramps\n");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,46 @@ TEST(RailProfile, SlopeIsTheDerivativeOfTheHeight) {
     const double difference = (railHeight(track, s + h) - railHeight(track, s - h)) / (2 * h);
     EXPECT_WITHIN(railSlope(track, s), difference, 2e-11);  // truncation, and rounding 1e-17 / 1e-4 = 1e-13
   }
+}
+
+TEST(RailProfile, BumpIsADipUpsideDown) {
+  for (const DipShape shape : {DipShape::kOneMinusCosine, DipShape::kHalfSine}) {
+    Track down = extended();
+    Track up = extended();
+    down.dips = {dip(shape, 8e-3, 4.0, 3.0)};
+    up.bumps = {test::bump(shape, 8e-3, 4.0, 3.0)};
+    EXPECT_WITHIN(railHeight(up, 5.0), 8e-3, kRounding);  // its middle
+    for (const double s : {2.9, 3.0, 3.7, 5.0, 6.99, 7.0, 8.0}) {
+      EXPECT_EQ(railHeight(up, s), -railHeight(down, s)) << s;
+      EXPECT_EQ(railSlope(up, s), -railSlope(down, s)) << s;
+    }
+  }
+}
+
+// The mean of both rails: 8 mm on both are 8 mm, by one member or by two; on one rail they are 4 mm.
+TEST(RailProfile, IsTheMeanOfBothRails) {
+  const auto heightOf = [](std::vector<RailSide> rails) {
+    Track track = extended();
+    for (const RailSide rail : rails) {
+      track.bumps.push_back(test::bump(DipShape::kHalfSine, 8e-3, 4.0, 3.0));
+      track.bumps.back().rail = rail;
+    }
+    return railHeight(track, 5.0);
+  };
+  using enum RailSide;
+  EXPECT_WITHIN(heightOf({kBoth}), 8e-3, kRounding);
+  EXPECT_WITHIN(heightOf({kLeft, kRight}), 8e-3, kRounding);
+  EXPECT_WITHIN(heightOf({kLeft}), 4e-3, kRounding);
+  EXPECT_WITHIN(heightOf({kRight}), 4e-3, kRounding);
+  Track track = extended();
+  track.harmonics = {test::harmonic(25.0, 1.0, 5e-3)};
+  track.ramps = {ramp(6e-3, 2.0, -10.0)};
+  track.dips = {dip(DipShape::kHalfSine, 8e-3, 4.0, 4.25)};  // its middle at 6.25 m, where the harmonic peaks
+  EXPECT_WITHIN(railHeight(track, 6.25), 5e-3 + 6e-3 - 8e-3, kRounding);
+  track.harmonics[0].rail = kLeft;
+  track.ramps[0].rail = kRight;
+  track.dips[0].rail = kLeft;
+  EXPECT_WITHIN(railHeight(track, 6.25), 0.5 * (5e-3 + 6e-3 - 8e-3), kRounding);
 }
 
 }  // namespace

@@ -76,6 +76,16 @@ TEST(Excitation, RigDrivesTheWheelsetsItNames) {
             "did you mean \"wheelset_1\"?");
 }
 
+TEST(Excitation, RigMayGiveItsFrequencyInHertz) {
+  Scenario scenario = test::paperScenario(History::kOnset);
+  scenario.track.reset();
+  scenario.rig = Rig{{RigInput{"wheelset_2", {{"", 6e-3, {}, 0.8, 0.3, {}}}, {}}}, {}};
+  const Input input = inputOf(scenario, paperTopology(), 0.0);
+  std::vector<double> u(8);
+  input.evaluate(0, 3.1, u);
+  EXPECT_WITHIN(u[1], 6e-3 * std::sin(2.0 * std::numbers::pi * 0.8 * 3.1 + 0.3), 1e-16);  // rounding of a phase of 16 rad
+}
+
 TEST(Excitation, OnsetWhoseHeightJumpsIsRefusedAndTheFadeInNamed) {
   Scenario scenario = test::paperScenario(History::kOnset);
   scenario.track->origin.file = "phase.xml";
@@ -102,7 +112,7 @@ TEST(Excitation, OnsetCutsFeaturesBehindItAndRefusesTheJumpThatMakes) {
   track.ramps = {ramp(4e-3, 2.0, -5.0)};
   EXPECT_EQ(refusalOf(scenarioOf(track, 5.0)),
             "error: <scenario><track>: the height jumps by 0.004 m where history=\"onset\" begins (s = 0); must begin "
-            "at 0; let dips and ramps start at 0 or beyond, or take history=\"extended\"");
+            "at 0; let dips, bumps and ramps start at 0 or beyond, or take history=\"extended\"");
 }
 
 TEST(Excitation, FeatureThatIsPassedInNoTimeIsRefused) {
@@ -126,7 +136,7 @@ TEST(Excitation, RunsWithoutLengthOrSpeedAreRefused) {
   }
   scenario.run.duration = 4e-3;
   EXPECT_EQ(refusalOf(scenario),
-            "error: <scenario><run>: lasts 0.004 s with an output_step of 0.005 s; must last at least one output step; "
+            "error: <scenario><run>: lasts 4 ms with output_step=\"5 ms\"; must last at least one output step; "
             "run longer, or take a shorter output_step");
   scenario.run.duration.reset();
   EXPECT_EQ(refusalOf(scenario), "error: <scenario><run>: has no duration and no distance; give one of them");

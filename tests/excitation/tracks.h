@@ -18,6 +18,15 @@ inline Dip dip(DipShape shape, double depth, double length, double start) {
   return made;
 }
 
+inline Bump bump(DipShape shape, double height, double length, double start) {
+  Bump made;
+  made.shape = shape;
+  made.height = height;
+  made.length = length;
+  made.start = start;
+  return made;
+}
+
 inline Ramp ramp(double rise, double length, double start) {
   Ramp made;
   made.rise = rise;
@@ -36,8 +45,8 @@ inline Scenario scenarioOf(const Track& track, double duration) {
   return made;
 }
 
-/// Three harmonics of random phase (faded in with onset), eight dips of both shapes and four ramps: overlapping,
-/// with `extended` also where the vehicle stands at t = 0 and behind it.
+/// Three harmonics of random phase (faded in with onset), eight dips of both shapes, four bumps and four ramps, on one
+/// rail or both: overlapping, with `extended` also where the vehicle stands at t = 0 and behind it.
 inline Track anyTrack(History history, unsigned seed) {
   std::mt19937 random(seed);
   const auto between = [&](double low, double high) {
@@ -56,7 +65,18 @@ inline Track anyTrack(History history, unsigned seed) {
   }
   for (int i = 0; i < 4; ++i) {
     track.ramps.push_back(ramp(between(-9e-3, 9e-3), between(1.0, 12.0), between(earliest, 80.0)));
+    track.bumps.push_back(bump(DipShape::kHalfSine, between(-9e-3, 9e-3), between(0.5, 12.0), between(earliest, 80.0)));
   }
+  // Every third member lies on one rail.
+  int member = 0;
+  const auto place = [&member](auto& each) {
+    each.rail = member % 3 != 0 ? RailSide::kBoth : member % 2 == 0 ? RailSide::kLeft : RailSide::kRight;
+    ++member;
+  };
+  for (Harmonic& each : track.harmonics) place(each);
+  for (Dip& each : track.dips) place(each);
+  for (Bump& each : track.bumps) place(each);
+  for (Ramp& each : track.ramps) place(each);
   return track;
 }
 

@@ -51,7 +51,11 @@ TEST(ShippedModels, HaveNoProblems) {
     ++count;
     const CheckedFile checked = checkFile(entry.path().string(), disk);
     EXPECT_EQ(checked.problems.text(), "");
-    for (const Warning& each : checked.warnings) EXPECT_EQ(each.text(), "") << entry.path();
+    // The secondaries of the Pioneer cars come down by more than half a metre: that is true.
+    for (const Warning& each : checked.warnings) {
+      EXPECT_EQ(each.code, WarningCode::kRestDeflection) << each.text();
+      EXPECT_NE(each.place.file.find("/pioneer-"), std::string::npos) << each.text();
+    }
   }
   EXPECT_GE(count, 15);
 }
@@ -125,7 +129,7 @@ TEST_F(CheckFile, CountsDesignsAndColumns) {
   folder_.put("study.xml", test::textOf(lines));
   EXPECT_EQ(
       problemsOf("study.xml"),
-      "study.xml: error: the study makes 2001 columns (1 parameters, 2000 metrics over all speeds and scenarios), at "
+      "study.xml:1: error: the study makes 2001 columns (1 parameters, 2000 metrics over all speeds and scenarios), at "
       "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
   lines = test::kStudyLines;
   lines[3] = R"(<vary parameter="frame.mass" from="1 t" to="90 t"/>)";
@@ -142,13 +146,13 @@ TEST_F(CheckFile, RefusesASteadyStateOverADip) {
   folder_.put("s.xml",
               withLine(test::kScenarioLines, 4, R"(<dip shape="half_sine" depth="5 mm" length="3 m" start="20 m"/>)"));
   EXPECT_EQ(withStudyLine(1, R"(<study name="d" format="1" evaluation="steady_state">)"),
-            "s.xml:1: error: <scenario>: has a dip or a ramp, which is met once: the study asks for the steady state; "
+            "s.xml:1: error: <scenario>: has a dip, bump or ramp, which is met once: the study asks for the steady state; "
             "leave evaluation=\"steady_state\" out, or name a scenario of harmonics\n");
 }
 
 TEST_F(CheckFile, RefusesToSettleLongerThanTheRun) {
   EXPECT_EQ(withStudyLine(1, R"(<study name="d" format="1" settle="11 s">)"),
-            "study.xml:1: error: <study>: settle = 11 s leaves nothing of the run over \"s\", which lasts 10 s; settle "
+            "study.xml:1: error: <study>: settle=\"11 s\" leaves nothing of the run over \"s\", which lasts 10 s; settle "
             "less, or run longer\n");
 }
 
@@ -224,8 +228,6 @@ TEST_F(CheckFile, FindsAWeightThatTheSpringsCannotCarry) {
 </vehicle>
 )");
   EXPECT_NE(problemsOf("v.xml"), "");
-  FileSource disk;
-  EXPECT_FALSE(checkFile(folder_.path("v.xml"), disk).vehicle.has_value());
 }
 
 }  // namespace

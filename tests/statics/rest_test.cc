@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "libvehicle/definition/train.h"
 #include "libvehicle/statics/rest.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
@@ -252,6 +253,48 @@ TEST(UnbalancedMoment, IsRefusedNamingTheBody) {
             "moments must balance; give the springs under it a stiffness, or leave out one of the preloads\n");
 }
 
+// A spring at the end of a long lever that carries nothing: rounding of weight * length is all that is left of its moment.
+TEST(Balance, WithinTheRoundingOfWeightTimesLengthIsBalance) {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    Vehicle vehicle = bogiePitchVehicle();
+    for (Body& each : vehicle.bodies) each.mass *= scale;
+    for (Element& each : vehicle.elements) each.stiffness_z *= scale;
+    for (const char* primary : {"primary_1", "primary_3"}) {
+      named(vehicle.suspensions, primary).x = primary == std::string("primary_1") ? 9.5 : -9.5;
+    }
+    EXPECT_EQ(messageOf(vehicle), "") << scale;
+    const Rest rest = restOf(topologyOf(vehicle), kGravity);
+    // The spring under the pivot carries all: half the carbody and the bogie.
+    const double load = scale * (16e3 + 2615.0) * kGravity;
+    EXPECT_WITHIN(loadOf(topologyOf(vehicle), rest, "primary_1"), load, 1e-9 * load);
+    EXPECT_WITHIN(loadOf(topologyOf(vehicle), rest, "primary_2"), 0.0, 1e-9 * load);
+  }
+  // A moment a million times that is still refused: 1 N m on a weight of 319 kN.
+  Vehicle vehicle = bogiePitchVehicle();
+  named(vehicle.suspensions, "secondary_front").preload = 16e3 * kGravity;
+  named(vehicle.suspensions, "secondary_rear").preload = 16e3 * kGravity;
+  EXPECT_EQ(messageOf(vehicle), "");
+  named(vehicle.suspensions, "secondary_front").preload = 16e3 * kGravity + 1.0;
+  EXPECT_NE(messageOf(vehicle), "");
+}
+
+// One preload that is mistyped leaves its force on both its ends: one mistake, at the suspension that has it.
+TEST(PreloadsThatDoNotBalance, AreOneProblemWhereOneOfThemExplainsBothBodies) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies[0].motion = {Motion::kZ};
+  for (Suspension& each : vehicle.suspensions) {
+    const bool secondary = each.name.starts_with("secondary");
+    each.preload = (secondary ? 28.5e3 : 0.5 * (28.5e3 + 9e3)) * kGravity;
+  }
+  EXPECT_EQ(messageOf(vehicle), "");
+  Suspension& wrong = named(vehicle.suspensions, "secondary_front");
+  wrong.preload = *wrong.preload + 20e3;
+  EXPECT_EQ(messageOf(vehicle),
+            "error: <vehicle><suspension name=\"secondary_front\">: preload=\"299585 N\" leaves a vertical force of "
+            "20000 N on \"carbody\" and the opposite on \"front_bogie\"; the weight must be carried; a preload of 279585 N "
+            "balances both, or leave it out\n");
+}
+
 TEST(CentreOfGravityBeyondTheWheels, IsRefusedNamingTheLiftedWheelset) {
   Vehicle vehicle;
   vehicle.name = "trolley";
@@ -266,12 +309,38 @@ TEST(CentreOfGravityBeyondTheWheels, IsRefusedNamingTheLiftedWheelset) {
             "move the centre of gravity between the wheelsets, or give its load\n");
 }
 
+// The places of the parts in their file, and of equal vehicles of a train one.
+TEST(RestProblems, HaveFileAndLine) {
+  Vehicle vehicle = paperVehicle();
+  vehicle.bodies[0].origin = {{"coach.xml", 7}};
+  named(vehicle.suspensions, "secondary_front").preload = 200e3;
+  named(vehicle.suspensions, "secondary_rear").preload = 200e3;
+  EXPECT_EQ(messageOf(vehicle).substr(0, 20), "coach.xml:7: error: ");
+  Train train;
+  train.name = "train";
+  train.vehicles.resize(1);
+  train.vehicles[0].vehicle = vehicle;
+  train.vehicles[0].count = 5;
+  train.vehicles[0].spacing = 20.0;
+  try {
+    static_cast<void>(restOf(topologyOf(assembled(train)), kGravity));
+    ADD_FAILURE() << "accepted";
+  } catch (const InvalidInput& wrong) {
+    ASSERT_EQ(wrong.problems().size(), 1u);
+    EXPECT_EQ(wrong.problems()[0].text().substr(0, 20), "coach.xml:7: error: ");
+  }
+}
+
 TEST(HertzContactWithoutLoad, IsRefusedWithTheRemedy) {
   Vehicle vehicle = hertzVehicle();
   for (std::size_t j = 1; j < 4; ++j) vehicle.wheelsets[j].load = 100e3;
   EXPECT_EQ(messageOf(vehicle, 0.0),
             "error: <vehicle><wheelset name=\"wheelset_1\">: a Hertz contact without static load has no stiffness; "
             "set gravity > 0, or give its load or contact_stiffness\n");
+  for (std::size_t j = 1; j < 4; ++j) vehicle.wheelsets[j].load.reset();
+  EXPECT_EQ(messageOf(vehicle, 0.0),
+            "error: <vehicle><wheelset name=\"wheelset_1\">: a Hertz contact without static load has no stiffness (so it "
+            "is with 4 wheelsets of the vehicle); set gravity > 0, or give its load or contact_stiffness\n");
 }
 
 TEST(Gravity, ThatIsNegativeOrNotANumberIsTheCallersMistake) {

@@ -253,7 +253,7 @@ TEST(StudyDatabase, AStudyOfTooManyColumnsIsRefusedAndTheMostThatFitAreStored) {
   for (int i = 0; i < 1996; ++i) record.metrics.push_back({std::string("m").append(std::to_string(i)), "m"});
   EXPECT_EQ(
       refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("wide.sqlite"), record)); }),
-      "study.xml: error: the study makes 1998 columns (2 parameters, 1996 metrics over all speeds and scenarios), at "
+      "study.xml:1: error: the study makes 1998 columns (2 parameters, 1996 metrics over all speeds and scenarios), at "
       "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
   EXPECT_EQ(folder.entries(), 0u);
   record.metrics.pop_back();

@@ -144,7 +144,7 @@ TEST(ParseQuantity, RefusesWhatIsNoNumber) {
     EXPECT_EQ(refusal(text, kLength), "is not a number; a length is expected, e.g. \"3.725 m\"") << text;
   }
   EXPECT_EQ(refusal("1,5 m", kLength),
-            "has a comma in its number; the decimal sign is a point; a length is expected, e.g. \"3.725 m\"");
+            "has a comma in its number; the decimal sign is a point: write \"1.5 m\"");
 }
 
 TEST(ParseQuantity, RefusesWhatIsNotFinite) {
@@ -166,15 +166,15 @@ TEST(ParseQuantity, RefusesAMissingOrUnknownUnitAndNamesTheNearest) {
   EXPECT_EQ(refusal("3", kLength), "has no unit" + length);
   EXPECT_EQ(refusal("0", kLength), "has no unit" + length);
   EXPECT_EQ(refusal("3 furlong", kLength), "has the unknown unit \"furlong\"" + length);
-  EXPECT_EQ(refusal("3 kM", kLength), "has the unknown unit \"kM\"" + length + "; did you mean \"km\"?");
-  EXPECT_EQ(refusal("3 MM", kLength), "has the unknown unit \"MM\"" + length + "; did you mean \"mm\"?");
+  EXPECT_EQ(refusal("3 kM", kLength), "has the unknown unit \"kM\"" + length + "; did you mean \"3 km\"?");
+  EXPECT_EQ(refusal("3 MM", kLength), "has the unknown unit \"MM\"" + length + "; did you mean \"3 mm\"?");
   const std::string damping = "; a damping is expected, e.g. \"30 kN*s/m\"";
-  EXPECT_EQ(refusal("3 kNs/m", kDamping), "has the unknown unit \"kNs\"" + damping + "; did you mean \"kN*s\"?");
-  EXPECT_EQ(refusal("3 KN*s/m", kDamping), "has the unknown unit \"KN\"" + damping + "; did you mean \"kN\"?");
+  EXPECT_EQ(refusal("3 kNs/m", kDamping), "has the unknown unit \"kNs\"" + damping + "; did you mean \"3 kN*s/m\"?");
+  EXPECT_EQ(refusal("3 KN*s/m", kDamping), "has the unknown unit \"KN\"" + damping + "; did you mean \"3 kN*s/m\"?");
   EXPECT_EQ(refusal("70 kmh", kSpeed),
-            "has the unknown unit \"kmh\"; a speed is expected, e.g. \"72 km/h\"; did you mean \"km/h\"?");
+            "has the unknown unit \"kmh\"; a speed is expected, e.g. \"72 km/h\"; did you mean \"70 km/h\"?");
   EXPECT_EQ(refusal("5 sec", kTime),
-            "has the unknown unit \"sec\"; a time is expected, e.g. \"5 ms\"; did you mean \"s\"?");
+            "has the unknown unit \"sec\"; a time is expected, e.g. \"5 ms\"; did you mean \"5 s\"?");
 }
 
 TEST(ParseQuantity, RefusesAMalformedUnit) {
@@ -185,9 +185,9 @@ TEST(ParseQuantity, RefusesAMalformedUnit) {
               "has the malformed unit \"" + std::string(unit) + "\"" + end);
   }
   EXPECT_EQ(refusal("70 t*m2", kInertia),
-            "has the malformed unit \"t*m2\"" + end + "; a power is written with \"^\", as in \"m^2\"");
+            "has the malformed unit \"t*m2\"" + end + "; did you mean \"70 t*m^2\"?");
   EXPECT_EQ(refusal("70 t m^2", kInertia),
-            "has the malformed unit \"t m^2\"" + end + "; join factors with \"*\", as in \"t*m^2\"");
+            "has the malformed unit \"t m^2\"" + end + "; did you mean \"70 t*m^2\"?");
   EXPECT_EQ(refusal("7 " + std::string(100, '('), kInertia),
             "has the malformed unit \"" + std::string(32, '(') + "...\"" + end);
 }

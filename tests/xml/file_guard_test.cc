@@ -58,10 +58,10 @@ a.xml:2: error: the entity "&#xD800;" is not allowed; write what it stands for
 a.xml:2: error: "&" stands alone; write "&amp;"
 )"},
       {std::string("<?xml version=\"1.0\"?>\n<?xml-stylesheet href=\"a.css\"?>\n<vehicle/>", 64),
-       R"(a.xml:2: error: processing instructions ("<?") are not allowed here; only <?xml version="1.0" encoding="UTF-8"?> may stand, at the very beginning
+       R"(a.xml:2: error: processing instructions ("<?") are not allowed here; only <?xml version="1.0" encoding="UTF-8"?> may stand, at the very beginning, and <?xml-model ...?> outside the root element
 )"},
       {std::string("<?php echo ?", 12),
-       R"(a.xml:1: error: processing instructions ("<?") are not allowed here; only <?xml version="1.0" encoding="UTF-8"?> may stand, at the very beginning
+       R"(a.xml:1: error: processing instructions ("<?") are not allowed here; only <?xml version="1.0" encoding="UTF-8"?> may stand, at the very beginning, and <?xml-model ...?> outside the root element
 a.xml:1: error: "<?" is not closed; close it with "?>"
 )"},
       {std::string("<vehicle>\n<!-- open ->\n</vehicle>", 33),
@@ -179,7 +179,7 @@ TEST(FileGuard, LongValuesAreCutInMessages) {
 
 // One line per problem would be as useless as none where a wrong file gives thousands.
 TEST(FileGuard, ThousandsOfProblemsAreCutAtTwoHundred) {
-  const std::string last = "there are more than 200 problems; mend these first; the others are told then\n";
+  const std::string last = "there are more than 200 problems; correct these first; the others are printed then\n";
   const std::string open = "<vehicle name=\"v\" format=\"1\">\n";
   for (const std::string& each : {std::string("<x/>\n"), std::string("&\n"), std::string("<wheelset name=\"w\"/>\n")}) {
     const ProblemList problems = readVehicleText(open + repeated(each, 20000) + "</vehicle>", "a.xml").problems;

@@ -14,7 +14,6 @@ TEST(ScenarioReader, EveryWrongLineOfATrackIsTold) {
   const std::vector<Spoilt> cases = {
       {2, R"(<run speed="20 kg" duration="10 s"/>)",
        R"(a.xml:2: error: <scenario><run>: speed="20 kg" is a mass; a speed is expected, e.g. "72 km/h"
-a.xml:2: error: <scenario><run>: speed="0 m/s"; must be > 0
 )"},
       {2, R"(<run speed="20 m/s" duration="10 s" output_step="0 s"/>)",
        R"(a.xml:2: error: <scenario><run>: output_step="0 s"; must be > 0
@@ -50,7 +49,7 @@ a.xml:4: error: <scenario><track><harmonic>: order="3 m" is a length; a plain nu
        R"(a.xml:4: error: <scenario><track><harmonic>: attribute "amplitude" is missing; write e.g. amplitude="2 mm"
 )"},
       {4, R"(<harmonic wavelength="25 m" amplitude="5 mm" rail="lef"/>)",
-       R"(a.xml:4: error: <scenario><track><harmonic>: rail="lef" is none of "left", "right", "both"; did you mean "left"?
+       R"(a.xml:4: error: <scenario><track><harmonic>: rail="lef" is none of "both", "left", "right"; did you mean "left"?
 )"},
       {4, R"(<dip shape="half-sine" depth="5 mm" length="2 m"/>)",
        R"(a.xml:4: error: <scenario><track><dip>: shape="half-sine" is none of "one_minus_cosine", "half_sine"; did you mean "half_sine"?
@@ -59,7 +58,7 @@ a.xml:4: error: <scenario><track><harmonic>: order="3 m" is a length; a plain nu
        R"(a.xml:4: error: <scenario><track><ramp>: length="0 m"; must be > 0
 )"},
       {4, R"(<irregularity spectrum="erri-b176-low"/>)",
-       R"(a.xml:4: error: <scenario><track>: element <irregularity> is unknown; what may stand here: <harmonic>, <dip>, <ramp>
+       R"(a.xml:4: error: <scenario><track>: element <irregularity> is unknown; what may stand here: <harmonic>, <dip>, <bump>, <ramp>
 )"},
       {5, R"(</track>
   <initial_state from="rest"><body name="carbody" z="1 rad"/></initial_state>)",

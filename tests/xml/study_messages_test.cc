@@ -145,6 +145,9 @@ TEST(XmlParameters, AreTheQuantitiesOfTheNamedPartsWithTheirDimensions) {
   scenario.track->harmonics.emplace_back().name = "wave";
   scenario.track->dips.emplace_back().name = "dip";
   scenario.track->ramps.emplace_back().name = "ramp";
+  scenario.track->bumps.emplace_back().name = "bump";
+  scenario.rig.emplace();
+  scenario.rig->inputs.emplace_back().sines.emplace_back().name = "sine";
   met.clear();
   expectParameters(schemaOf(FileKind::kScenario), &scenario, "scenario.", parametersOf(scenario), met);
   // speed, gravity, duration, distance, output_step and fade_in stand in parts without a name.

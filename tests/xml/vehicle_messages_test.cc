@@ -17,32 +17,25 @@ TEST(VehicleReader, WrongValuesAreToldWithPlaceRuleAndRemedy) {
 )"},
       {2, R"(<element name="primary" stiffness_z="3040" damping_z="30 kN*s/m"/>)",
        R"(a.xml:2: error: <vehicle><element>: stiffness_z="3040" has no unit; a stiffness is expected, e.g. "3040 kN/m"
-a.xml:3: error: <vehicle><body>: "frame" stands on nothing: no chain of springs leads from it down to a wheelset; add a <suspension> under it whose element has stiffness_z > 0
 )"},
       {2, R"(<element name="primary" stiffness_z="3040 kM/m" damping_z="30 kN*s/m"/>)",
-       R"(a.xml:2: error: <vehicle><element>: stiffness_z="3040 kM/m" has the unknown unit "kM"; a stiffness is expected, e.g. "3040 kN/m"; did you mean "km"?
-a.xml:3: error: <vehicle><body>: "frame" stands on nothing: no chain of springs leads from it down to a wheelset; add a <suspension> under it whose element has stiffness_z > 0
+       R"(a.xml:2: error: <vehicle><element>: stiffness_z="3040 kM/m" has the unknown unit "kM"; a stiffness is expected, e.g. "3040 kN/m"; did you mean "3040 kN/m"?
 )"},
       {2, R"(<element name="primary" stiffness_z="much kN/m" damping_z="30 kN*s/m"/>)",
        R"(a.xml:2: error: <vehicle><element>: stiffness_z="much kN/m" is not a number; a stiffness is expected, e.g. "3040 kN/m"
-a.xml:3: error: <vehicle><body>: "frame" stands on nothing: no chain of springs leads from it down to a wheelset; add a <suspension> under it whose element has stiffness_z > 0
 )"},
       {2, R"(<element name="primary" stiffness_z="" damping_z="30 kN*s/m"/>)",
        R"(a.xml:2: error: <vehicle><element>: stiffness_z="" is empty; a stiffness is expected, e.g. "3040 kN/m"
-a.xml:3: error: <vehicle><body>: "frame" stands on nothing: no chain of springs leads from it down to a wheelset; add a <suspension> under it whose element has stiffness_z > 0
 )"},
       {2, R"(<element name="primary" stiffness_z="-1 kN/m" damping_z="30 kN*s/m"/>)",
        R"(a.xml:2: error: <vehicle><element>: stiffness_z="-1 kN/m"; must be >= 0
-a.xml:3: error: <vehicle><body>: "frame" stands on nothing: no chain of springs leads from it down to a wheelset; add a <suspension> under it whose element has stiffness_z > 0
 )"},
       {2, R"(<element name="primary" stiffness_z="nan N/m" damping_z="inf N*s/m"/>)",
        R"(a.xml:2: error: <vehicle><element>: stiffness_z="nan N/m" is not finite; a stiffness is expected, e.g. "3040 kN/m"
 a.xml:2: error: <vehicle><element>: damping_z="inf N*s/m" is not finite; a damping is expected, e.g. "30 kN*s/m"
-a.xml:3: error: <vehicle><body>: "frame" stands on nothing: no chain of springs leads from it down to a wheelset; add a <suspension> under it whose element has stiffness_z > 0
 )"},
       {2, R"(<element name="primary" stiffness_z="1e999 N/m"/>)",
        R"(a.xml:2: error: <vehicle><element>: stiffness_z="1e999 N/m" is not finite; a number holds up to 1.8e308 in SI units
-a.xml:3: error: <vehicle><body>: "frame" stands on nothing: no chain of springs leads from it down to a wheelset; add a <suspension> under it whose element has stiffness_z > 0
 )"},
       {3, R"(<body name="frame"
         mass="0 t"

@@ -59,7 +59,8 @@ constexpr const char* kTrack = R"(<scenario name="all-members" format="1" gravit
     <harmonic name="long" wavelength="100 m" amplitude="1 mm"/>
     <dip shape="half_sine"        depth="8 mm" length="2 m" start="20 m"/>
     <dip shape="one_minus_cosine" depth="8 mm" length="2 m" start="40 m" rail="right"/>
-    <ramp rise="10 mm" length="5 m" start="60 m"/>
+    <bump name="joint" shape="one_minus_cosine" height="10 mm" length="3 m" start="50 m" rail="left"/>
+    <ramp rise="10 mm" length="5 m" start="60 m" rail="right"/>
   </track>
   <initial_state from="on_rail">
     <body name="carbody" z="-3.1 mm" pitch="1.2 mrad" z_rate="22 mm/s" pitch_rate="-8.5 mrad/s"/>
@@ -75,7 +76,7 @@ constexpr const char* kRig = R"(<scenario name="rig" format="1">
       <sine amplitude="1 mm"   angular_frequency="15.09 rad/s"/>
     </input>
     <input wheelset="wheelset_2">
-      <sine amplitude="-1 mm" angular_frequency="5 rad/s"/>
+      <sine name="shake" amplitude="-1 mm" frequency="0.8 Hz"/>
     </input>
   </rig>
 </scenario>

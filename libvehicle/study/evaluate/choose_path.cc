@@ -31,9 +31,9 @@ std::string whyNotFlat(const StudyInputs& inputs) {
 void requireSteady(const StudyInputs& inputs) {
   ProblemList problems;
   for (const Scenario& each : inputs.scenarios) {
-    if (!each.track || (each.track->dips.empty() && each.track->ramps.empty())) continue;
+    if (!each.track || !hasSingleFeatures(*each.track)) continue;
     problems.add({each.origin, "<scenario>",
-                  "has a dip or a ramp, which is met once: the study asks for the steady state",
+                  "has a dip, bump or ramp, which is met once: the study asks for the steady state",
                   "leave evaluation=\"steady_state\" out, or name a scenario of harmonics"});
   }
   if (!problems.empty()) throw InvalidInput(std::move(problems));

@@ -1,0 +1,35 @@
+#include "libvehicle/simulate/file_warnings.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "libvehicle/simulate/vehicle_warnings.h"
+#include "libvehicle/statics/geometry_warnings.h"
+
+namespace vehicle {
+
+namespace {
+
+/// Whether another one says the same: of an equal vehicle of a train, or of the reason.
+bool isSaid(const Warning& warning, const Warnings& others) {
+  return std::any_of(others.begin(), others.end(), [&](const Warning& other) {
+    const bool same_place =
+        warning.place.line > 0 && other.place.line == warning.place.line && other.place.file == warning.place.file;
+    if (other.code == warning.code) return same_place;
+    // "b1 pitch" or "b1 bounce", whichever coordinate leads.
+    return warning.code == WarningCode::kFreeMode && other.code == WarningCode::kFreePitch &&
+           (same_place || warning.subject.starts_with(other.subject + ' '));
+  });
+}
+
+}  // namespace
+
+Warnings fileWarnings(const Vehicle& vehicle, const Topology& topology, const Rest& rest, double gravity) {
+  Warnings warnings = geometryWarnings(vehicle, topology, rest);
+  for (Warning& each : restWarnings(topology, rest, gravity)) {
+    if (!isSaid(each, warnings)) warnings.push_back(std::move(each));
+  }
+  return warnings;
+}
+
+}  // namespace vehicle

@@ -28,13 +28,14 @@ void requireStorable(const StudyRecord& record, const DesignBatch& batch) {
       throw std::invalid_argument(fmt::format("StudyDatabase: design {} of a study of {}", id, record.designs));
     }
     const std::span<const double> values = batch.values(row);
-    const auto wrong = std::find_if_not(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
-    if (wrong == values.end()) continue;
-    const auto index = static_cast<std::size_t>(wrong - values.begin());
     const std::size_t parameters = record.parameters.size();
-    const Channel& column = index < parameters ? record.parameters[index] : record.metrics[index - parameters];
-    throw std::invalid_argument(fmt::format(
-        "StudyDatabase: design {}: {} = {}, must be finite; such a design has failed", id, column.name, *wrong));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const bool is_parameter = i < parameters;
+      if (std::isfinite(values[i]) || (!is_parameter && std::isnan(values[i]))) continue;
+      const Channel& column = is_parameter ? record.parameters[i] : record.metrics[i - parameters];
+      throw std::invalid_argument(fmt::format("StudyDatabase: design {}: {} = {}, must be finite{}", id, column.name,
+                                              values[i], is_parameter ? "" : ", or NaN where there is no value"));
+    }
   }
 }
 
@@ -85,21 +86,20 @@ void StudyDatabase::append(const DesignBatch& batch) {
     for (std::size_t row = 0; row < batch.size(); ++row) {
       const DesignBatch::Row& head = batch.rows()[row];
       const std::span<const double> values = batch.values(row);
-      const bool done = head.status == DesignStatus::kDone;
       at_hand = head.id;
       insert.bind(1, static_cast<std::int64_t>(head.id));
-      insert.bind(2, done ? std::string_view("done") : std::string_view("failed"));
-      if (done) {
-        insert.bindNothing(3);
+      insert.bind(2, std::string_view(head.status == DesignStatus::kDone ? "done" : "failed"));
+      if (head.message) {
+        insert.bind(3, std::string_view(batch.messages()[*head.message]));
       } else {
-        insert.bind(3, std::string_view(batch.messages()[head.message]));
+        insert.bindNothing(3);
       }
       for (std::size_t i = 0; i < values.size(); ++i) {
         const int place = kFirstValue + 1 + static_cast<int>(i);
-        if (done || i < batch.parameters()) {
-          insert.bind(place, values[i] + 0.0);  // -0 + 0 = 0: SQLite keeps no sign of zero, whoever asks it
-        } else {
+        if (std::isnan(values[i])) {
           insert.bindNothing(place);
+        } else {
+          insert.bind(place, values[i] + 0.0);  // -0 + 0 = 0: SQLite keeps no sign of zero, whoever asks it
         }
       }
       insert.runOnce();
@@ -128,7 +128,7 @@ void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visi
       design.id = static_cast<std::uint64_t>(rows.integer(0));
       design.status = rows.text(1) == "done" ? DesignStatus::kDone : DesignStatus::kFailed;
       design.message = rows.text(2);
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows.number(kFirstValue + static_cast<int>(i));
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows.numberOrNan(kFirstValue + static_cast<int>(i));
       design.parameters = std::span(values).first(parameters);
       if (design.status == DesignStatus::kDone) design.metrics = std::span(values).last(metrics);
       if (!visit(design)) return;
@@ -164,7 +164,7 @@ void StudyDatabase::writeCsv(const std::filesystem::path& path,
     }
     for (std::size_t i = 0; i < metrics; ++i) {
       text += ',';
-      if (i < design.metrics.size()) appendNumber(text, design.metrics[i]);
+      if (i < design.metrics.size() && !std::isnan(design.metrics[i])) appendNumber(text, design.metrics[i]);
     }
     text += ',';
     appendField(text, design.message);

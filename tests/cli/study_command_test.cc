@@ -72,9 +72,9 @@ TEST(StudyCommand, ADatabaseThatCannotBeShownIsNamedWithTheReason) {
       {{"study", "show", none}, 3, "vehicle: " + none + ": cannot be opened: there is no such file\n"},
       {{"study", "show", where}, 3, "vehicle: " + where + ": cannot be opened: it is a folder\n"},
       {{"study", "show", newer}, 3,
-       "vehicle: " + newer + ": holds a study in format 9, this program reads format 1\n"},
+       "vehicle: " + newer + ": holds a study in format 9, this program reads formats 1 to 2\n"},
       {{"study", study, "--output", newer, "--resume"}, 3,
-       "vehicle: " + newer + ": holds a study in format 9, this program reads format 1\n"},
+       "vehicle: " + newer + ": holds a study in format 9, this program reads formats 1 to 2\n"},
       {{"study", study, "--output", study, "--resume"}, 3,
        "vehicle: " + study + ": holds no study: it is no SQLite file\n"},
   });

@@ -74,7 +74,7 @@ void RestAndModes::evaluateRest(std::size_t row, double gravity, DesignRows& row
     } else if (topology.suspensions[suspension].stiffness > 0.0) {
       value = rest.suspension_load[suspension] / topology.suspensions[suspension].stiffness;
     } else {
-      return rows.fail(row, each.metric.subject + " has no stiffness, so no deflection at rest");
+      rows.leaveEmpty(row, each.place, "it has no stiffness, so no deflection at rest");
     }
   }
 }

@@ -55,8 +55,8 @@ class StudyDatabase {
 
   /// Stores all designs of the batch, or none of them. Batches of about 10 000 designs cost least.
   /// @throws RunFailed              the disk is full, ...; what was stored before is safe, and the call may be repeated
-  /// @throws std::invalid_argument  a parameter that is not finite, a metric that is infinite, an id beyond the study or
-  ///                                stored already
+  /// @throws std::invalid_argument  a parameter that is not finite, a metric that is infinite, an id beyond the study
+  ///                                or stored already
   void append(const DesignBatch& batch);
 
   /// Calls `visit` with every design in the order of ids, in constant memory, until it returns false.
@@ -65,7 +65,7 @@ class StudyDatabase {
   /// The whole table as comma-separated text, one line a design in the order of ids, written atomically; every number
   /// is the shortest text that reads back to the same bits; a value that is missing is empty, and the message says why.
   ///
-  ///     design,name,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
+  ///     id,design,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
   ///
   /// @param nameOf  what to call a design by its id; without it there is no column of names
   /// @throws RunFailed

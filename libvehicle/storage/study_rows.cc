@@ -25,7 +25,7 @@ void requireStorable(const StudyRecord& record, const DesignBatch& batch) {
   for (std::size_t row = 0; row < batch.size(); ++row) {
     const std::uint64_t id = batch.rows()[row].id;
     if (id >= record.designs) {
-      throw std::invalid_argument(fmt::format("StudyDatabase: design {} of a study of {}", id, record.designs));
+      throw std::invalid_argument(fmt::format("StudyDatabase: id {} of a study of {} designs", id, record.designs));
     }
     const std::span<const double> values = batch.values(row);
     const std::size_t parameters = record.parameters.size();
@@ -33,7 +33,7 @@ void requireStorable(const StudyRecord& record, const DesignBatch& batch) {
       const bool is_parameter = i < parameters;
       if (std::isfinite(values[i]) || (!is_parameter && std::isnan(values[i]))) continue;
       const Channel& column = is_parameter ? record.parameters[i] : record.metrics[i - parameters];
-      throw std::invalid_argument(fmt::format("StudyDatabase: design {}: {} = {}, must be finite{}", id, column.name,
+      throw std::invalid_argument(fmt::format("StudyDatabase: id {}: {} = {}, must be finite{}", id, column.name,
                                               values[i], is_parameter ? "" : ", or NaN where there is no value"));
     }
   }
@@ -62,7 +62,7 @@ std::vector<DesignRange> StudyDatabase::missing() const {
     while (ids.step()) {
       const auto id = static_cast<std::uint64_t>(ids.integer(0));
       if (id < next || id >= open_->record.designs) {
-        throw RunFailed(fmt::format("{}: is damaged: it holds design {} of {}; go on with a copy, or begin a new study",
+        throw RunFailed(fmt::format("{}: is damaged: it holds a row {} of {}; go on with a copy, or begin a new study",
                                     open_->shown, id, open_->record.designs));
       }
       gapTo(id);
@@ -111,7 +111,7 @@ void StudyDatabase::append(const DesignBatch& batch) {
       sqlite3_exec(connection.get(), "ROLLBACK", nullptr, nullptr, nullptr);
     }
     if ((error.code & 0xff) == SQLITE_CONSTRAINT) {
-      throw std::invalid_argument(fmt::format("StudyDatabase: design {} is stored already", at_hand));
+      throw std::invalid_argument(fmt::format("StudyDatabase: id {} is stored already", at_hand));
     }
     open_->fail("cannot be written", error, "what was stored before is safe; make room and go on with it");
   }
@@ -141,7 +141,7 @@ void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visi
 void StudyDatabase::writeCsv(const std::filesystem::path& path,
                              const std::function<std::string(std::uint64_t)>& nameOf) const {
   AtomicFile file(path);
-  std::string text = nameOf ? "design,name,status" : "design,status";
+  std::string text = nameOf ? "id,design,status" : "id,status";
   for (const std::vector<Channel>* list : {&open_->record.parameters, &open_->record.metrics}) {
     for (const Channel& each : *list) {
       text += ',';

@@ -104,9 +104,10 @@ std::string whyNoStudy(SqliteConnection& connection) {
 std::string whyOnlyShown(SqliteConnection& connection) {
   const std::int64_t format = pragma(connection, "user_version");
   if (format == kStudyFormat) return "";
-  return fmt::format("holds a study in format {}, which an older program wrote: it can be shown, but numbers of two "
-                     "programs are not mixed; write to a new file",
-                     format);
+  return fmt::format(
+      "holds a study in format {}, which an older program wrote: it can be shown, but numbers of two "
+      "programs are not mixed; write to a new file",
+      format);
 }
 
 StudyRecord readStudyTables(SqliteConnection& connection) {

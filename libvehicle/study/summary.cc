@@ -62,7 +62,9 @@ class Summary {
     best_.resize(bound_.objectives.size());
     few_ = summary_.designs <= choice.all_up_to;
     const bool saltelli = inputs.study.plan && inputs.study.plan->kind == PlanKind::kSaltelli && !inputs.study.search;
-    if (saltelli) blocks_.assign(outputs_.names().size(), std::vector<double>(plan.points(), kNothing));
+    if (!saltelli) return;
+    sensitivity_.order = inputs.study.plan->second_order;
+    blocks_.assign(outputs_.names().size(), std::vector<double>(plan.points(), kNothing));
   }
 
   StudySummary run() {
@@ -144,14 +146,14 @@ class Summary {
   void tellInfluences() {
     for (std::size_t i = 0; i < outputs_.names().size(); ++i) {
       const std::uint64_t designs = regressions_[i].designs();
-      if (designs < 3) continue;
+      if (designs < 3 && blocks_.empty()) continue;
       Influence influence;
       influence.output = outputs_.names()[i];
       influence.designs = designs;
       influence.left_out = learned_ - designs;
       influence.correlations = regressions_[i].correlations();
       influence.fit = regressions_[i].fit();
-      if (!blocks_.empty()) influence.indices = sensitivityOf(blocks_[i], bound_.factors.size());
+      if (!blocks_.empty()) influence.indices = sensitivityOf(blocks_[i], bound_.factors.size(), sensitivity_);
       summary_.influences.push_back(std::move(influence));
     }
   }
@@ -184,7 +186,8 @@ class Summary {
   std::vector<std::vector<Rank>> best_;
   std::vector<Regression> regressions_;       // (outputs)
   std::vector<std::vector<double>> blocks_;   // (outputs x points) of a Saltelli plan
-  std::uint64_t learned_ = 0;                 // designs that the influences ask
+  SensitivityChoice sensitivity_;
+  std::uint64_t learned_ = 0;  // designs that the influences ask
   MissingCount missing_;
   bool few_ = false;
   StudySummary summary_;

@@ -25,7 +25,7 @@ struct JudgedDesign {
   std::vector<double> violations;    // [SI] (limits) by how much each is overstepped, 0 where it is kept
   /// (objectives) the column of the worst case, where several are judged by their worst
   std::vector<std::optional<std::size_t>> worst;
-  std::string message;               // why it failed, or why values are missing
+  std::string message;  // why it failed, or why values are missing
   [[nodiscard]] bool failed() const { return metrics.empty(); }
   [[nodiscard]] bool keepsLimits() const;
 };

@@ -17,10 +17,10 @@ using namespace test;
 
 TEST(GapMessage, NamesMetricsOfOneReasonTogetherAndComesApartAgain) {
   const std::vector<Channel> columns = {{"a.rms", ""}, {"b.rms", ""}, {"c.rms", ""}};
-  const std::string message = gapMessage(columns, {{0, "too narrow; widen it"}, {1, "lost"}, {2, "too narrow; widen it"}});
+  const std::string message =
+      gapMessage(columns, {{0, "too narrow; widen it"}, {1, "lost"}, {2, "too narrow; widen it"}});
   EXPECT_EQ(message, "a.rms, c.rms: too narrow; widen it | b.rms: lost");
-  EXPECT_EQ(gapsIn(message),
-            (std::vector<std::string_view>{"a.rms, c.rms: too narrow; widen it", "b.rms: lost"}));
+  EXPECT_EQ(gapsIn(message), (std::vector<std::string_view>{"a.rms, c.rms: too narrow; widen it", "b.rms: lost"}));
   EXPECT_TRUE(gapsIn("").empty());
 }
 
@@ -57,8 +57,8 @@ TEST(MissingValues, AStatisticThatCannotBeGivenIsEmptyOnEveryPath) {
                                    {paperVehicle(), Evaluation::kSteadyState, kSteadyEnsemble, percentile},
                                    {bogiePitchVehicle(), Evaluation::kSteadyState, kSteadySingle, percentile}};
   for (const Case& each : cases) {
-    Study study = studyOf({range("carbody.mass", "30 t", "60 t")},
-                          {"carbody.az.rms", each.metric, "static.wheelset_1.load"});
+    Study study =
+        studyOf({range("carbody.mass", "30 t", "60 t")}, {"carbody.az.rms", each.metric, "static.wheelset_1.load"});
     study.evaluation = each.evaluation;
     Scenario scenario = paperScenario(History::kExtended);
     scenario.run.duration = 0.995;  // 200 samples of 5 ms
@@ -89,8 +89,7 @@ TEST(MissingValues, ASpringWithoutStiffnessHasNoRestDeflectionAndTheOthersStand)
   Study study = studyOf({range("parallel.stiffness_z", "0 N/m", "2 MN/m")},
                         {"static.parallel_front.deflection", "static.parallel_rear.load", "carbody.az.rms"});
   study.evaluation = Evaluation::kSteadyState;
-  const Answers answers =
-      answersOf(inputsOf(study, vehicle, {paperScenario(History::kExtended)}), {{0.0}, {1e6}});
+  const Answers answers = answersOf(inputsOf(study, vehicle, {paperScenario(History::kExtended)}), {{0.0}, {1e6}});
   EXPECT_TRUE(answers.problems.empty());
   ASSERT_EQ(answers.gaps.size(), 1u);
   EXPECT_EQ(answers.gaps.at(0), "static.parallel_front.deflection: it has no stiffness, so no deflection at rest");

@@ -33,7 +33,8 @@ std::optional<std::size_t> Verdict::worstColumn(const BoundObjective& objective,
   for (const std::size_t column : columns_[objective.metric]) {
     const double value = metrics[column];
     if (std::isnan(value)) return std::nullopt;
-    const bool worse = !worst || (objective.goal == Goal::kMinimise ? value > metrics[*worst] : value < metrics[*worst]);
+    const bool worse =
+        !worst || (objective.goal == Goal::kMinimise ? value > metrics[*worst] : value < metrics[*worst]);
     if (worse) worst = column;
   }
   return worst;

@@ -18,7 +18,8 @@ std::string gapMessage(const std::vector<Channel>& columns, const std::map<std::
   std::vector<Part> parts;
   for (const auto& [metric, reason] : missing) {
     const std::string& name = columns[metric].name;
-    const auto same = std::find_if(parts.begin(), parts.end(), [&](const Part& each) { return *each.reason == reason; });
+    const auto same =
+        std::find_if(parts.begin(), parts.end(), [&](const Part& each) { return *each.reason == reason; });
     if (same == parts.end()) {
       parts.push_back({name, &reason});
     } else {

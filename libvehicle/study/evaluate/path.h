@@ -38,9 +38,7 @@ class DesignRows {
     missing_[design].try_emplace(metric, std::move(why));
   }
   /// Reasons of the metrics that were left empty, by metric.
-  [[nodiscard]] const std::map<std::size_t, std::string>& missing(std::size_t design) const {
-    return missing_[design];
-  }
+  [[nodiscard]] const std::map<std::size_t, std::string>& missing(std::size_t design) const { return missing_[design]; }
 
   /// The design has no value at all. The first reason counts.
   void fail(std::size_t design, std::string why) {

@@ -156,7 +156,7 @@ class StudySearch {
 
   void requireSame(std::uint64_t id, std::span<const double> now, const std::vector<double>& stored) const {
     if (std::equal(now.begin(), now.end(), stored.begin(), stored.end())) return;
-    throw RunFailed("design " + std::to_string(id) +
+    throw RunFailed("design " + (id < plan_.size() ? plan_.nameOf(id) : numbers_.nameOf(id)) +
                     " of the database is not the one that this search comes to; it was "
                     "written with another version of the search library: start anew in another file");
   }

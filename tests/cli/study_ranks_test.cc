@@ -34,7 +34,7 @@ TEST(StudyRanks, TwoRanksExportTheBytesOfASerialRun) {
   const std::string to = " --output '" + folder.path("shared.sqlite") + "' --export '" + shared + "'";
   ASSERT_EQ(runRanks("study '" + study + "'" + to, err), 0) << textOf(err);
   EXPECT_EQ(linesOf(textOf(serial)).size(), 2u + 256u * 6u);
-  EXPECT_TRUE(has(textOf(serial), ",mode.carbody pitch.frequency: the mode is overdamped")) << textOf(serial);
+  EXPECT_TRUE(has(textOf(serial), ",\"mode.carbody pitch.frequency: the mode is overdamped")) << textOf(serial);
   EXPECT_TRUE(textOf(shared) == textOf(serial));
 }
 

@@ -26,7 +26,7 @@ inline bool RootGroup::isComplex() const { return 2.0 * value.imag() > kSameRoot
 
 /// All of them, in the order of |value|, then of Re.
 ///
-/// One complex Schur decomposition; the basis of each group by moving its roots to the front of the triangle, the dual
+/// One Schur decomposition; the basis of each group by moving its roots to the front of the triangle, the dual
 /// one by moving them to its end.
 /// Source: G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 7.6.2 (swapping by rotations).
 /// @param A  (n x n), finite

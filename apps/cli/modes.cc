@@ -3,6 +3,8 @@
 #include <iostream>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "libvehicle/linear/modes.h"
+#include "libvehicle/linear/undamped.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/xml/reader.h"
 
@@ -32,6 +35,74 @@ double phaseInDegrees(std::complex<double> entry) {
   const double phase = std::arg(entry) * 180.0 / std::numbers::pi;
   if (std::abs(phase) < 1e-9) return 0.0;
   return phase < -180.0 + 1e-9 ? 180.0 : phase;
+}
+
+// Below rounding a coordinate does not take part, and its phase would be noise.
+constexpr double kNoPart = 1e-9;
+
+Table eigenvalueTable(const std::vector<Mode>& modes, const std::vector<UndampedMode>& undamped) {
+  Table table{"modes",
+              {{"mode", ""},
+               {"frequency", "Hz"},
+               {"damped frequency", "Hz"},
+               {"undamped frequency", "Hz"},
+               {"damping ratio", "-"},
+               {"real", "1/s"},
+               {"imaginary", "1/s"},
+               {"multiplicity", ""},
+               {"name", ""}},
+              {}};
+  for (const Mode& mode : modes) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.emplace_back(static_cast<long>(table.rows.size()));
+    row.emplace_back(mode.frequency);
+    std::optional<double> damped;
+    if (mode.eigenvalue.imag() > 0.0) damped = mode.eigenvalue.imag() / (2.0 * std::numbers::pi);
+    addCell(row, damped);
+    addCell(row, undampedFrequencyOf(std::span(&mode, 1), undamped));
+    row.emplace_back(mode.damping_ratio);
+    row.emplace_back(mode.eigenvalue.real());
+    row.emplace_back(mode.eigenvalue.imag());
+    row.emplace_back(static_cast<long>(mode.multiplicity));
+    row.emplace_back(mode.name);
+  }
+  return table;
+}
+
+/// One line a mode and coordinate, for other programs.
+Table shapeList(const std::vector<Mode>& modes, const std::vector<Channel>& states) {
+  Table table{"shapes", {{"mode", ""}, {"coordinate", ""}, {"unit", ""}, {"size", ""}, {"phase", "deg"}}, {}};
+  long number = 0;
+  for (const Mode& mode : modes) {
+    ++number;
+    for (Eigen::Index i = 0; i < mode.shape.size(); ++i) {
+      const Channel& coordinate = states[static_cast<std::size_t>(i)];
+      const double size = std::abs(mode.shape(i));
+      if (size < kNoPart) continue;
+      table.rows.push_back({number, coordinate.name, coordinate.unit, size, phaseInDegrees(mode.shape(i))});
+    }
+  }
+  return table;
+}
+
+/// Coordinates as rows, modes as columns, for people.
+Table shapeMatrix(const std::vector<Mode>& modes, const std::vector<Channel>& states) {
+  Table table{"shapes: amplitude (phase in degrees), the largest of a mode is 1", {{"coordinate", ""}}, {}, 1};
+  for (std::size_t mode = 0; mode < modes.size(); ++mode)
+    table.columns.push_back({fmt::format("mode {}", mode + 1), ""});
+  for (std::size_t i = 0; i < states.size() / 2; ++i) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.emplace_back(fmt::format("{} [{}]", states[i].name, states[i].unit));
+    for (const Mode& mode : modes) {
+      const std::complex<double> entry = mode.shape(static_cast<Eigen::Index>(i));
+      if (std::abs(entry) < kNoPart) {
+        row.emplace_back("0");
+      } else {
+        row.emplace_back(fmt::format("{:.3g} ({:.0f})", std::abs(entry), std::round(phaseInDegrees(entry)) + 0.0));
+      }
+    }
+  }
+  return table;
 }
 
 /// Gravity acts on a motion through static loads at heights and through contacts that stiffen under load; what the
@@ -55,32 +126,13 @@ int printModes(const Options& options, const CLI::App& command) {
   const std::unique_ptr<System> system = buildForm(form, vehicle, options.gravity);
   requireGravityUsed(command, options, form, vehicle, *system);
   const std::vector<Mode> modes = modesOf(*system);
-
-  Table eigenvalues{"modes",
-                    {{"mode", ""},
-                     {"name", ""},
-                     {"frequency", "Hz"},
-                     {"damping", "-"},
-                     {"real", "1/s"},
-                     {"imaginary", "1/s"},
-                     {"multiplicity", ""}},
-                    {}};
-  Table shapes{"shapes", {{"mode", ""}, {"coordinate", ""}, {"unit", ""}, {"size", ""}, {"phase", "deg"}}, {}};
-  long number = 0;
-  for (const Mode& mode : modes) {
-    ++number;
-    eigenvalues.rows.push_back({number, mode.name, mode.frequency, mode.damping_ratio, mode.eigenvalue.real(),
-                                mode.eigenvalue.imag(), static_cast<long>(mode.multiplicity)});
-    for (Eigen::Index i = 0; i < mode.shape.size(); ++i) {
-      const Channel& coordinate = system->states()[static_cast<std::size_t>(i)];
-      const double size = std::abs(mode.shape(i));
-      // Below rounding a coordinate does not take part, and its phase would be noise.
-      if (size < 1e-9) continue;
-      shapes.rows.push_back({number, coordinate.name, coordinate.unit, size, phaseInDegrees(mode.shape(i))});
-    }
-  }
-  print({{{"vehicle", vehicle.name, ""}, {"form", form, ""}}, {eigenvalues, shapes}, {}}, options.common.format,
-        std::cout);
+  const std::vector<UndampedMode> undamped = undampedModesOf(system->linear().value().A, system->states());
+  const bool formatted = options.common.format == Format::kTable;
+  print({{{"vehicle", vehicle.name, ""}, {"form", form, ""}},
+         {eigenvalueTable(modes, undamped),
+          formatted ? shapeMatrix(modes, system->states()) : shapeList(modes, system->states())},
+         {}},
+        options.common.format, std::cout);
   return kDone;
 }
 
@@ -100,8 +152,12 @@ Action addModes(CLI::App& program) {
   addGravity(*command, options->gravity);
   addCommonOptions(*command, options->common);
   command->footer(
-      "Of a pair the eigenvalue with positive imaginary part stands here. In a shape the largest coordinate is 1\n"
-      "(m or rad); coordinates below 1e-9 are left out.\n"
+      "frequency is |lambda| / 2 pi, damped frequency |Im lambda| / 2 pi, undamped frequency that of masses and\n"
+      "stiffnesses alone, damping ratio -Re lambda / |lambda|. An aperiodic mode has two real roots, one line each:\n"
+      "no damped frequency, and |lambda| is a decay rate. Of a pair the root with positive imaginary part stands "
+      "here.\n"
+      "In a shape the largest coordinate is 1 (m or rad). Tables show shapes as a matrix, csv and json one number a\n"
+      "line; coordinates below 1e-9 are 0 there and left out here.\n"
       "Example: vehicle modes models/vehicles/al-oraiqat-2017.xml --form matrix");
   return [options, command] { return printModes(*options, *command); };
 }

@@ -79,7 +79,7 @@ class BestWriter {
   Owner named(Owner owner, const JudgedDesign& design, const std::string& name) const {
     owner.name = plainName(owner.name + "-" + name);
     if (!owner.title.empty()) owner.title += "; ";
-    owner.title += fmt::format("design {} of the study {}", design.id, work_.inputs.study.name);
+    owner.title += fmt::format("design {} of the study {}", design.name, work_.inputs.study.name);
     return owner;
   }
 

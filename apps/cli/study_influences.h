@@ -6,7 +6,7 @@
 
 namespace vehicle::cli {
 
-/// What the factors do to the outputs of a study: for eyes a table an output, for other programs one of them all.
+/// What the factors do to the outputs of a study: for people a table an output, for other programs one of them all.
 void addInfluences(const StudySummary& summary, const BoundStudy& bound, Format format, Document& document);
 
 }  // namespace vehicle::cli

@@ -7,9 +7,10 @@
 namespace vehicle::cli {
 
 /// A study as a document: the designs compared with the first one ("base"), the best of each objective, the Pareto
-/// front, what the factors do, and designs that failed. For eyes a cell holds the value in a unit that is read easily,
-/// its difference to `base` in percent and a "!" where a limit is broken; for csv and json every number is SI and has a
-/// cell of its own.
+/// front, what the factors do, why values are missing, and designs that failed. For people a cell holds the value in a
+/// unit that is read easily, its difference to `base` in percent and a "!" where a limit is broken; for csv and json
+/// every number is SI and has a cell of its own, and a design has its number in the database beside its name. A value
+/// that is missing is "-", an empty field, or null.
 [[nodiscard]] Document documentOf(const StudySummary& summary, const StudyInputs& inputs, Format format);
 
 }  // namespace vehicle::cli

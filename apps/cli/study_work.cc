@@ -15,9 +15,9 @@
 #include "apps/cli/study_resume.h"
 #include "apps/cli/study_tables.h"
 #include "libvehicle/project/study_work.h"
-#include "libvehicle/study/evaluate/rest_and_modes.h"
 #include "libvehicle/study/runner.h"
 #include "libvehicle/study/search/search_study.h"
+#include "libvehicle/study/study_warnings.h"
 #ifdef VEHICLE_WITH_MPI
 #include "libvehicle/distribute/mpi_executor.h"
 #endif
@@ -83,20 +83,35 @@ StudyOutcome evaluate(const StudyOptions& options, const StudyWork& work, Execut
   }
 }
 
-StudySummary show(const StudyOptions& options, const std::string& path, const StudyWork& work, Document document) {
+/// A study on stdout, and what has become doubtful of it on stderr.
+struct Shown {
+  StudySummary summary;
+  Warnings warnings;  // of the study and of its results
+};
+
+/// @param warnings  of the study, which are printed already
+Shown show(const StudyOptions& options, const std::string& path, const StudyWork& work, Document document,
+           Warnings warnings) {
   const StudyDatabase database = StudyDatabase::read(path);
   SummaryChoice choice;
   choice.best = static_cast<std::size_t>(options.best);
   const StudySummary summary = summarise(database, work.inputs, work.plan, choice);
+  const Warnings late = warningsAfter(work.inputs, summary);
+  printWarnings(late);
+  warnings.insert(warnings.end(), late.begin(), late.end());
   document.facts.insert(document.facts.end(), {{"designs", static_cast<long>(summary.designs), ""},
                                                {"evaluated", static_cast<long>(summary.stored), ""},
                                                {"failed", static_cast<long>(summary.failed), ""}});
   if (!work.inputs.bound.limits.empty()) {
     document.facts.push_back({"within limits", static_cast<long>(summary.within_limits), ""});
   }
+  if (summary.incomplete > 0) {
+    document.facts.push_back({"with values missing", static_cast<long>(summary.incomplete), ""});
+  }
   Document told = documentOf(summary, work.inputs, options.common.format);
   document.tables = std::move(told.tables);
   document.remarks.insert(document.remarks.end(), told.remarks.begin(), told.remarks.end());
+  addWarnings(warnings, options.common, document);
   print(document, options.common.format, std::cout);
   std::cout.flush();
   const auto remark = [&](const std::string& text) {
@@ -106,12 +121,16 @@ StudySummary show(const StudyOptions& options, const std::string& path, const St
     database.writeCsv(options.csv, [&](std::uint64_t design) { return designName(work.inputs, work.plan, design); });
     remark("written: " + options.csv);
   }
-  if (options.best_folder.empty()) return summary;
+  if (options.best_folder.empty()) return {summary, std::move(warnings)};
   const std::vector<std::string> written =
       writeBest(options.best_folder, summary, work, BestNames(work, static_cast<std::size_t>(options.best)));
   for (const std::string& each : written) remark("written: " + each);
-  if (written.empty()) printNote("--write-best: nothing is written: no design keeps the limits", options.common);
-  return summary;
+  if (written.empty()) {
+    printNote(summary.best.empty() ? "--write-best: nothing is written: the study has neither objectives nor named designs"
+                                   : "--write-best: nothing is written: no design keeps the limits",
+              options.common);
+  }
+  return {summary, std::move(warnings)};
 }
 
 Document headOf(const StudyWork& work, const std::string& database) {
@@ -140,9 +159,8 @@ int runStudyFile(const StudyOptions& options, const CLI::App& command) {
   }
   Document document = headOf(work, options.database);
   document.remarks.push_back(StudyEvaluator(work.inputs).path().text);
-  if (!options.common.quiet) {
-    for (const std::string& doubt : modesInDoubt(work.inputs)) std::cerr << options.study << ": " << doubt << '\n';
-  }
+  const Warnings doubts = warningsBefore(work.inputs);
+  printWarnings(doubts);
 
   const StudyOutcome outcome = evaluate(options, work, *executor);
   const StudyProgress& done = outcome.progress;
@@ -152,13 +170,13 @@ int runStudyFile(const StudyOptions& options, const CLI::App& command) {
   if (done.evaluated > 0) {
     document.facts.push_back({"rate", static_cast<double>(done.evaluated) / done.seconds, "designs/s"});
   }
-  const StudySummary summary = show(options, options.database, work, std::move(document));
+  const auto [summary, warnings] = show(options, options.database, work, std::move(document), doubts);
   if (outcome.ending != Ending::kFinished) {
     std::cerr << fmt::format("vehicle: interrupted; {} of {} designs are kept. {}\n", done.before + done.evaluated,
                              done.designs, goOnWith(options));
     return kInterrupted;
   }
-  if (summary.failed < summary.designs) return kDone;
+  if (summary.failed < summary.designs) return statusAfter(warnings, options.common);
   std::cerr << fmt::format("vehicle: every design of the study failed: {}\n", summary.failures.front().message);
   return kRunFailed;
 }
@@ -171,8 +189,10 @@ int showStudy(const StudyOptions& options, const CLI::App& command) {
   claimOutputs(guard, command, options, work);
   Document document = headOf(work, options.shown);
   document.facts.push_back({"written by", record.program, ""});
-  static_cast<void>(show(options, options.shown, work, std::move(document)));
-  return kDone;
+  const Warnings doubts = warningsBefore(work.inputs);
+  printWarnings(doubts);
+  const Shown shown = show(options, options.shown, work, std::move(document), doubts);
+  return statusAfter(shown.warnings, options.common);
 }
 
 }  // namespace vehicle::cli

@@ -25,7 +25,11 @@ constexpr std::array<Word, 5> kWords = {{{"rms", Statistic::kRms},
 
 constexpr const char* kGrammar =
     "end it in .rms, .mean, .peak, .min, .max, .p99.85, .abs_p95 or .band(4..8 Hz); or write mode.NAME.frequency, "
-    "mode.NAME.damping, static.NAME.deflection or static.NAME.load";
+    "mode.NAME.damped_frequency, mode.NAME.undamped_frequency, mode.NAME.damping, static.NAME.deflection or "
+    "static.NAME.load";
+
+constexpr std::array<std::string_view, 4> kOfModes = {"frequency", "damped_frequency", "undamped_frequency", "damping"};
+constexpr std::array<std::string_view, 2> kAtRest = {"deflection", "load"};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kSpaces = " \t\r\n";
@@ -38,10 +42,19 @@ ParsedMetric refuse(std::string message, std::string remedy) {
   return {std::nullopt, std::move(message), std::move(remedy)};
 }
 
-/// Takes `prefix`SUBJECT`.word` apart; an empty subject is none.
-std::optional<std::string> between(std::string_view text, std::string_view prefix, std::string_view ending) {
-  if (text.size() <= prefix.size() + ending.size() || !text.starts_with(prefix) || !text.ends_with(ending)) return {};
-  return std::string(text.substr(prefix.size(), text.size() - prefix.size() - ending.size()));
+/// SUBJECT of `prefix`SUBJECT`.word`; an empty subject is none.
+std::optional<std::string> between(std::string_view text, std::string_view prefix, std::string_view word) {
+  if (text.size() < prefix.size() + word.size() + 2 || !text.starts_with(prefix) || !text.ends_with(word)) return {};
+  text.remove_suffix(word.size());
+  if (text.back() != '.') return {};
+  return std::string(text.substr(prefix.size(), text.size() - prefix.size() - 1));
+}
+
+ParsedMetric asked(Metric metric, MetricKind kind, const std::string& subject, std::string_view quantity) {
+  metric.kind = kind;
+  metric.subject = subject;
+  metric.quantity = quantity;
+  return {std::move(metric), "", ""};
 }
 
 std::optional<double> plainNumber(std::string_view text) {
@@ -102,21 +115,14 @@ ParsedMetric parseMetric(std::string_view raw) {
   const std::string_view text = trimmed(raw);
   Metric metric;
   metric.name = text;
-  for (const std::string_view quantity : {"frequency", "damping"}) {
-    const auto subject = between(text, "mode.", "." + std::string(quantity));
-    if (!subject) continue;
-    metric.kind = MetricKind::kMode;
-    metric.subject = *subject;
-    metric.quantity = quantity;
-    return {std::move(metric), "", ""};
+  for (const std::string_view quantity : kOfModes) {
+    if (const auto subject = between(text, "mode.", quantity))
+      return asked(metric, MetricKind::kMode, *subject, quantity);
   }
-  for (const std::string_view quantity : {"deflection", "load"}) {
-    const auto subject = between(text, "static.", "." + std::string(quantity));
-    if (!subject) continue;
-    metric.kind = MetricKind::kStatic;
-    metric.subject = *subject;
-    metric.quantity = quantity;
-    return {std::move(metric), "", ""};
+  for (const std::string_view quantity : kAtRest) {
+    if (const auto subject = between(text, "static.", quantity)) {
+      return asked(metric, MetricKind::kStatic, *subject, quantity);
+    }
   }
   if (const std::size_t open = text.rfind(".band("); open != std::string_view::npos && open > 0 && text.back() == ')') {
     metric.subject = text.substr(0, open);
@@ -133,6 +139,8 @@ ParsedMetric parseMetric(std::string_view raw) {
     metric.statistic = word.statistic;
     return {std::move(metric), "", ""};
   }
+  if (text.starts_with("mode.")) words.insert(words.end(), kOfModes.begin(), kOfModes.end());
+  if (text.starts_with("static.")) words.insert(words.end(), kAtRest.begin(), kAtRest.end());
   if (const auto nearest = nearestName(last, words); nearest && dot != std::string_view::npos && dot > 0) {
     return refuse("ends in \"" + last + "\", which is no statistic", "did you mean \"" + *nearest + "\"?");
   }
@@ -141,7 +149,7 @@ ParsedMetric parseMetric(std::string_view raw) {
 
 std::string unitOf(const Metric& metric, std::string_view column_unit) {
   if (metric.kind == MetricKind::kColumn) return std::string(column_unit);
-  if (metric.quantity == "frequency") return "Hz";
+  if (metric.quantity.ends_with("frequency")) return "Hz";
   if (metric.quantity == "deflection") return "m";
   return metric.quantity == "load" ? "N" : "";
 }

@@ -8,7 +8,7 @@ namespace vehicle {
 
 enum class MetricKind {
   kColumn,  // a statistic of a result column
-  kMode,    // frequency or damping of a natural mode
+  kMode,    // a frequency or the damping of a natural mode
   kStatic,  // what stands at rest
 };
 
@@ -28,7 +28,10 @@ enum class Statistic {
 ///     carbody.az.rms | .mean | .peak | .min | .max         of the column carbody.az
 ///     carbody.az.p99.85, carbody.az.abs_p95                percentile of x, of |x|
 ///     carbody.az.band(4..8 Hz)                             r.m.s. of the part between 4 and 8 Hz
-///     mode.carbody bounce.frequency | .damping             by the mode's name [Hz], damping ratio [-]
+///     mode.carbody bounce.frequency                        by the mode's name: |lambda| / 2 pi [Hz]
+///     mode.carbody bounce.damped_frequency                 |Im lambda| / 2 pi [Hz]
+///     mode.carbody bounce.undamped_frequency               of masses and stiffnesses alone [Hz]
+///     mode.carbody bounce.damping                          damping ratio, -Re lambda / |lambda| [-]
 ///     static.secondary_front.deflection | .load            of a suspension at rest, compression-positive [m], [N]
 ///     static.wheelset_1.load                               wheel-rail force Q0 [N]
 /// What follows the last word tells the kind, so that no name of a part is forbidden.
@@ -40,7 +43,7 @@ struct Metric {
   double percent = 0.0;                   // of the percentiles, 0 < percent < 100
   double low = 0.0;                       // [Hz] of a kBand, >= 0
   double high = 0.0;                      // [Hz] > low
-  std::string quantity;                   // "frequency", "damping", "deflection", "load" of the other kinds
+  std::string quantity;                   // of the other kinds: "frequency", "damping", "deflection", ...
   bool operator==(const Metric&) const = default;
 };
 

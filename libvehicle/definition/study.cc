@@ -147,6 +147,9 @@ class Checks {
     if (samples && factors == 0 && !strange) {
       judge.say("has nothing to sample", "add a <vary>; a speed with count or values is run by every design");
     }
+    if (plan.second_order == SecondOrder::kYes && plan.kind != PlanKind::kSaltelli) {
+      judge.say("has second_order with another kind than saltelli", "write kind=\"saltelli\", or remove second_order");
+    }
     if (plan.kind == PlanKind::kList) {
       if (plan.file.empty()) judge.say("has no file", "name the CSV file of the designs, e.g. file=\"designs.csv\"");
       if (factors != 0)

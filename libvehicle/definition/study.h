@@ -42,17 +42,24 @@ enum class PlanKind {
   kGrid,            // all values of all <vary> crossed
   kLatinHypercube,  // `size` designs, every parameter stratified
   kSobol,           // `size` designs of a Sobol sequence
-  kSaltelli,        // size * (parameters + 2) designs for sensitivity indices
+  kSaltelli,        // size * (parameters + 2) designs for sensitivity indices, see SecondOrder
   kList,            // designs of a CSV file
 };
 
 /// Seed of a plan that draws and names none.
 inline constexpr int kPlanSeed = 1;
 
+/// Whether a kSaltelli tells the indices of pairs of parameters too.
+enum class SecondOrder {
+  kNo,
+  kYes,  // size * (2 parameters + 2) designs
+};
+
 struct Plan {
   PlanKind kind = PlanKind::kGrid;
   std::optional<int> size;  // >= 1
   std::optional<int> seed;  // of a plan that draws; kPlanSeed where it is not given
+  SecondOrder second_order = SecondOrder::kNo;
   std::string file;  // of a kList, counted from the folder of the study
   Origin origin;
   bool operator==(const Plan&) const = default;

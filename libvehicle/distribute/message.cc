@@ -2,16 +2,36 @@
 
 namespace vehicle {
 
+namespace {
+
+/// Failures or gaps: a design and its message each.
+template <class DesignNote>
+void putNotes(const std::vector<DesignNote>& notes, Packer& message) {
+  message.put<std::uint64_t>(notes.size());
+  for (const DesignNote& each : notes) {
+    message.put(each.design);
+    message.putText(each.message);
+  }
+}
+
+template <class DesignNote>
+void getNotes(Unpacker& message, std::vector<DesignNote>& notes) {
+  const auto count = message.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const auto design = message.get<std::int64_t>();
+    notes.push_back({design, message.getText()});
+  }
+}
+
+}  // namespace
+
 std::vector<std::byte> packBatch(const Batch& batch) {
   Packer message;
   message.put(batch.range);
   message.put<std::uint64_t>(batch.values.size());
   message.putAll(std::span<const double>(batch.values));
-  message.put<std::uint64_t>(batch.failures.size());
-  for (const DesignFailure& each : batch.failures) {
-    message.put(each.design);
-    message.putText(each.message);
-  }
+  putNotes(batch.failures, message);
+  putNotes(batch.gaps, message);
   return message.take();
 }
 
@@ -23,11 +43,8 @@ void unpackBatch(std::span<const std::byte> bytes, std::size_t columns, Batch& b
         "ranks see different studies: let every machine read the same files with the same program");
   }
   message.getAll(std::span<double>(batch.values));
-  const auto failures = message.get<std::uint64_t>();
-  for (std::uint64_t i = 0; i < failures; ++i) {
-    const auto design = message.get<std::int64_t>();
-    batch.failures.push_back({design, message.getText()});
-  }
+  getNotes(message, batch.failures);
+  getNotes(message, batch.gaps);
 }
 
 std::vector<std::byte> packPortion(const Task& task) {

@@ -13,6 +13,7 @@
 #include <Eigen/SVD>
 
 #include "libvehicle/linear/mode_names.h"
+#include "libvehicle/linear/state_scaling.h"
 
 namespace vehicle {
 namespace {
@@ -21,21 +22,6 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-// A with velocities in units of q times a frequency, where its norm is the frequency of the stiffest spring and the
-// rounding of the eigenvalue solver is relative to that.
-struct Scaled {
-  Eigen::VectorXd units;
-  Eigen::MatrixXd A;
-
-  explicit Scaled(const Eigen::MatrixXd& unscaled) {
-    const Index N = unscaled.rows() / 2;
-    const double stiffest = unscaled.bottomLeftCorner(N, N).cwiseAbs().maxCoeff();
-    units = Eigen::VectorXd::Ones(2 * N);
-    if (stiffest > 0.0) units.tail(N).setConstant(std::exp2(std::round(0.5 * std::log2(stiffest))));
-    A = units.cwiseInverse().asDiagonal() * unscaled * units.asDiagonal();
-  }
-};
 
 struct Eigenpairs {
   Eigen::VectorXcd value;   // (n)
@@ -179,11 +165,11 @@ void check(const Eigen::MatrixXd& A, const std::vector<Channel>& states) {
 
 std::vector<Mode> modesOf(const Eigen::MatrixXd& A, const std::vector<Channel>& states) {
   check(A, states);
-  const Scaled scaled(A);
-  const Eigenpairs pairs = eigenpairsOf(scaled.A);
+  const Eigen::MatrixXd scaled = inUnits(A, stateUnits(A));
+  const Eigenpairs pairs = eigenpairsOf(scaled);
   std::vector<Mode> modes;
   for (const Cluster& cluster : clustersOf(pairs)) {
-    const Vectors vectors = vectorsOf(cluster, pairs, scaled.A);
+    const Vectors vectors = vectorsOf(cluster, pairs, scaled);
     for (Index k = 0; k < vectors.shape.cols(); ++k) {
       modes.push_back(modeOf(cluster, vectors.shape.col(k), vectors.weight.col(k)));
     }

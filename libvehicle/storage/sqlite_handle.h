@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -64,7 +65,10 @@ class SqliteStatement {
 
   /// Columns of the row at hand count from 0.
   [[nodiscard]] std::int64_t integer(int column) const { return sqlite3_column_int64(handle_, column); }
-  [[nodiscard]] double number(int column) const { return sqlite3_column_double(handle_, column); }
+  [[nodiscard]] double numberOrNan(int column) const {  // NaN: NULL
+    if (sqlite3_column_type(handle_, column) == SQLITE_NULL) return std::numeric_limits<double>::quiet_NaN();
+    return sqlite3_column_double(handle_, column);
+  }
   [[nodiscard]] std::string_view text(int column) const;
 
  private:

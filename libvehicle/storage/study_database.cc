@@ -166,6 +166,9 @@ StudyDatabase StudyDatabase::forWriting(const fs::path& path, const std::string&
     open->connection = std::make_unique<SqliteConnection>(path.string(), SQLITE_OPEN_READWRITE);
     sqlite3_busy_timeout(open->connection->get(), kWaitForReaders);
     open->record = recordIn(*open->connection, open->shown);
+    if (const std::string why = whyOnlyShown(*open->connection); !why.empty()) {
+      throw RunFailed(fmt::format("{}: {}", open->shown, why));
+    }
     open->connection->run(fmt::format(
         "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint={}; PRAGMA cache_size=-{};",
         kLogPages, kCacheKib));

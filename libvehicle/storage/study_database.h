@@ -16,7 +16,8 @@ namespace vehicle {
 /// Tables: `study` (format, program, designs), `input_files` (position, name, content), `columns` (what each column of
 /// `designs` is: role, name, unit) and `designs`, one row a design: id, status ("done" or "failed"), message, then a
 /// REAL column for every parameter and metric, named as in the study. Numbers are 8-byte SI values that read back to
-/// the same bits, but -0 becomes 0; NaN and infinity are refused; a failed design has NULL metrics and a message.
+/// the same bits, but -0 becomes 0. A design that is done may lack values: they are NULL, and its message says why; a
+/// failed design has no value at all and a message.
 /// SQLite holds 2000 columns, so parameters and metrics together may be 1997; a study of more is refused.
 ///
 /// A batch is one transaction in a write-ahead log: killed at any moment, the file reopens with whole batches only, and
@@ -58,16 +59,17 @@ class StudyDatabase {
 
   /// Stores all designs of the batch, or none of them. Batches of about 10 000 designs cost least.
   /// @throws RunFailed              the disk is full, ...; what was stored before is safe, and the call may be repeated
-  /// @throws std::invalid_argument  a value that is not finite, an id beyond the study or stored already
+  /// @throws std::invalid_argument  a parameter that is not finite, a metric that is infinite, an id beyond the study
+  ///                                or stored already
   void append(const DesignBatch& batch);
 
   /// Calls `visit` with every design in the order of ids, in constant memory, until it returns false.
   void forEach(const std::function<bool(const StoredDesign&)>& visit) const;
 
   /// The whole table as comma-separated text, one line a design in the order of ids, written atomically; every number
-  /// is the shortest text that reads back to the same bits, the metrics of failed designs are empty.
+  /// is the shortest text that reads back to the same bits; a value that is missing is empty, and the message says why.
   ///
-  ///     design,name,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
+  ///     id,design,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
   ///
   /// @param nameOf  what to call a design by its id; without it there is no column of names
   /// @throws RunFailed

@@ -1,6 +1,8 @@
 #include "libvehicle/storage/study_record.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -31,27 +33,37 @@ void requireRoom(const StudyRecord& record) {
 void DesignBatch::addRow(std::uint64_t id, DesignStatus status, std::span<const double> parameters) {
   if (parameters.size() != parameters_) {
     throw std::invalid_argument(
-        fmt::format("DesignBatch: design {} has {} parameters, must have {}", id, parameters.size(), parameters_));
+        fmt::format("DesignBatch: id {} has {} parameters, must have {}", id, parameters.size(), parameters_));
   }
   values_.insert(values_.end(), parameters.begin(), parameters.end());
-  rows_.push_back({id, status, 0});
+  rows_.push_back({id, status, std::nullopt});
 }
 
-void DesignBatch::add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics) {
+void DesignBatch::setMessage(std::string message) {
+  rows_.back().message = messages_.size();
+  messages_.push_back(std::move(message));
+}
+
+void DesignBatch::add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics,
+                      std::string message) {
   if (metrics.size() != metrics_) {
     throw std::invalid_argument(
-        fmt::format("DesignBatch: design {} has {} metrics, must have {}", id, metrics.size(), metrics_));
+        fmt::format("DesignBatch: id {} has {} metrics, must have {}", id, metrics.size(), metrics_));
+  }
+  const bool lacks = std::any_of(metrics.begin(), metrics.end(), [](double each) { return std::isnan(each); });
+  if (lacks && message.empty()) {
+    throw std::invalid_argument(fmt::format("DesignBatch: id {} lacks a value without a message", id));
   }
   addRow(id, DesignStatus::kDone, parameters);
   values_.insert(values_.end(), metrics.begin(), metrics.end());
+  if (!message.empty()) setMessage(std::move(message));
 }
 
 void DesignBatch::addFailed(std::uint64_t id, std::span<const double> parameters, std::string message) {
-  if (message.empty()) throw std::invalid_argument(fmt::format("DesignBatch: design {} failed without a message", id));
+  if (message.empty()) throw std::invalid_argument(fmt::format("DesignBatch: id {} failed without a message", id));
   addRow(id, DesignStatus::kFailed, parameters);
-  values_.resize(values_.size() + metrics_, 0.0);
-  rows_.back().message = messages_.size();
-  messages_.push_back(std::move(message));
+  values_.resize(values_.size() + metrics_, std::numeric_limits<double>::quiet_NaN());
+  setMessage(std::move(message));
 }
 
 void DesignBatch::clear() {

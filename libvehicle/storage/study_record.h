@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,8 +30,8 @@ inline constexpr std::size_t kMostStudyValues = 1997;
 void requireRoom(const StudyRecord& record);
 
 enum class DesignStatus {
-  kDone,
-  kFailed
+  kDone,   // may lack values, each with its reason in the message
+  kFailed  // has no value at all
 };
 
 /// Evaluated designs on their way into the database.
@@ -38,9 +39,12 @@ class DesignBatch {
  public:
   DesignBatch(std::size_t parameters, std::size_t metrics) : parameters_(parameters), metrics_(metrics) {}
 
-  /// @param parameters, metrics  [SI], finite
-  /// @throws std::invalid_argument if there are not as many as the study has
-  void add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics);
+  /// @param parameters  [SI], finite
+  /// @param metrics     [SI], finite; NaN: there is no value
+  /// @param message     why values are missing; not empty where one is
+  /// @throws std::invalid_argument if there are not as many as the study has, or a value is missing without a message
+  void add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics,
+           std::string message = {});
   /// A design without metrics. @param message  why, not empty
   void addFailed(std::uint64_t id, std::span<const double> parameters, std::string message);
 
@@ -52,15 +56,16 @@ class DesignBatch {
   struct Row {
     std::uint64_t id = 0;
     DesignStatus status = DesignStatus::kDone;
-    std::size_t message = 0;  // of a failed one, in messages()
+    std::optional<std::size_t> message;  // in messages()
   };
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
-  /// Shape (parameters + metrics); the metrics of a failed design are 0 and mean nothing.
+  /// Shape (parameters + metrics); NaN where there is no value, as in all metrics of a failed design.
   [[nodiscard]] std::span<const double> values(std::size_t row) const;
   [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
 
  private:
   void addRow(std::uint64_t id, DesignStatus status, std::span<const double> parameters);
+  void setMessage(std::string message);
 
   std::size_t parameters_;
   std::size_t metrics_;
@@ -73,9 +78,9 @@ class DesignBatch {
 struct StoredDesign {
   std::uint64_t id = 0;
   DesignStatus status = DesignStatus::kDone;
-  std::string_view message;            // of a failed one
+  std::string_view message;            // why it failed, or why values are missing; else empty
   std::span<const double> parameters;  // [SI]
-  std::span<const double> metrics;     // [SI]; empty for a failed one
+  std::span<const double> metrics;     // [SI], NaN where there is no value; empty for a failed one
 };
 
 /// Designs first .. last, both included.

@@ -26,16 +26,17 @@ void requireStorable(const StudyRecord& record, const DesignBatch& batch) {
   for (std::size_t row = 0; row < batch.size(); ++row) {
     const std::uint64_t id = batch.rows()[row].id;
     if (id >= record.designs) {
-      throw std::invalid_argument(fmt::format("StudyDatabase: design {} of a study of {}", id, record.designs));
+      throw std::invalid_argument(fmt::format("StudyDatabase: id {} of a study of {} designs", id, record.designs));
     }
     const std::span<const double> values = batch.values(row);
-    const auto wrong = std::find_if_not(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
-    if (wrong == values.end()) continue;
-    const auto index = static_cast<std::size_t>(wrong - values.begin());
     const std::size_t parameters = record.parameters.size();
-    const Channel& column = index < parameters ? record.parameters[index] : record.metrics[index - parameters];
-    throw std::invalid_argument(fmt::format(
-        "StudyDatabase: design {}: {} = {}, must be finite; such a design has failed", id, column.name, *wrong));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const bool is_parameter = i < parameters;
+      if (std::isfinite(values[i]) || (!is_parameter && std::isnan(values[i]))) continue;
+      const Channel& column = is_parameter ? record.parameters[i] : record.metrics[i - parameters];
+      throw std::invalid_argument(fmt::format("StudyDatabase: id {}: {} = {}, must be finite{}", id, column.name,
+                                              values[i], is_parameter ? "" : ", or NaN where there is no value"));
+    }
   }
 }
 
@@ -62,7 +63,7 @@ std::vector<DesignRange> StudyDatabase::missing() const {
     while (ids.step()) {
       const auto id = static_cast<std::uint64_t>(ids.integer(0));
       if (id < next || id >= open_->record.designs) {
-        refuseDatabase(open_->shown, fmt::format("is damaged: it holds design {} of {}", id, open_->record.designs),
+        refuseDatabase(open_->shown, fmt::format("is damaged: it holds a row {} of {}", id, open_->record.designs),
                        "go on with a copy, or begin a new study");
       }
       gapTo(id);
@@ -86,21 +87,20 @@ void StudyDatabase::append(const DesignBatch& batch) {
     for (std::size_t row = 0; row < batch.size(); ++row) {
       const DesignBatch::Row& head = batch.rows()[row];
       const std::span<const double> values = batch.values(row);
-      const bool done = head.status == DesignStatus::kDone;
       at_hand = head.id;
       insert.bind(1, static_cast<std::int64_t>(head.id));
-      insert.bind(2, done ? std::string_view("done") : std::string_view("failed"));
-      if (done) {
-        insert.bindNothing(3);
+      insert.bind(2, std::string_view(head.status == DesignStatus::kDone ? "done" : "failed"));
+      if (head.message) {
+        insert.bind(3, std::string_view(batch.messages()[*head.message]));
       } else {
-        insert.bind(3, std::string_view(batch.messages()[head.message]));
+        insert.bindNothing(3);
       }
       for (std::size_t i = 0; i < values.size(); ++i) {
         const int place = kFirstValue + 1 + static_cast<int>(i);
-        if (done || i < batch.parameters()) {
-          insert.bind(place, values[i] + 0.0);  // -0 + 0 = 0: SQLite keeps no sign of zero, whoever asks it
-        } else {
+        if (std::isnan(values[i])) {
           insert.bindNothing(place);
+        } else {
+          insert.bind(place, values[i] + 0.0);  // -0 + 0 = 0: SQLite keeps no sign of zero, whoever asks it
         }
       }
       insert.runOnce();
@@ -112,7 +112,7 @@ void StudyDatabase::append(const DesignBatch& batch) {
       sqlite3_exec(connection.get(), "ROLLBACK", nullptr, nullptr, nullptr);
     }
     if ((error.code & 0xff) == SQLITE_CONSTRAINT) {
-      throw std::invalid_argument(fmt::format("StudyDatabase: design {} is stored already", at_hand));
+      throw std::invalid_argument(fmt::format("StudyDatabase: id {} is stored already", at_hand));
     }
     open_->fail("cannot be written", error, "what was stored before is safe; make room and go on with it");
   }
@@ -129,7 +129,7 @@ void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visi
       design.id = static_cast<std::uint64_t>(rows.integer(0));
       design.status = rows.text(1) == "done" ? DesignStatus::kDone : DesignStatus::kFailed;
       design.message = rows.text(2);
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows.number(kFirstValue + static_cast<int>(i));
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows.numberOrNan(kFirstValue + static_cast<int>(i));
       design.parameters = std::span(values).first(parameters);
       if (design.status == DesignStatus::kDone) design.metrics = std::span(values).last(metrics);
       if (!visit(design)) return;
@@ -142,7 +142,7 @@ void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visi
 void StudyDatabase::writeCsv(const std::filesystem::path& path,
                              const std::function<std::string(std::uint64_t)>& nameOf) const {
   AtomicFile file(path);
-  std::string text = nameOf ? "design,name,status" : "design,status";
+  std::string text = nameOf ? "id,design,status" : "id,status";
   for (const std::vector<Channel>* list : {&open_->record.parameters, &open_->record.metrics}) {
     for (const Channel& each : *list) {
       text += ',';
@@ -165,7 +165,7 @@ void StudyDatabase::writeCsv(const std::filesystem::path& path,
     }
     for (std::size_t i = 0; i < metrics; ++i) {
       text += ',';
-      if (i < design.metrics.size()) appendNumber(text, design.metrics[i]);
+      if (i < design.metrics.size() && !std::isnan(design.metrics[i])) appendNumber(text, design.metrics[i]);
     }
     text += ',';
     appendField(text, design.message);

@@ -90,8 +90,18 @@ void writeStudyTables(SqliteConnection& connection, const StudyRecord& record) {
 std::string whyNoStudy(SqliteConnection& connection) {
   if (pragma(connection, "application_id") != kStudyApplication) return "holds no study";
   const std::int64_t format = pragma(connection, "user_version");
+  if (format >= kOldestStudyFormat && format <= kStudyFormat) return "";
+  return fmt::format("holds a study in format {}, this program reads formats {} to {}", format, kOldestStudyFormat,
+                     kStudyFormat);
+}
+
+std::string whyOnlyShown(SqliteConnection& connection) {
+  const std::int64_t format = pragma(connection, "user_version");
   if (format == kStudyFormat) return "";
-  return fmt::format("holds a study in format {}, this program reads format {}", format, kStudyFormat);
+  return fmt::format(
+      "holds a study in format {}, which an older program wrote: it can be shown, but numbers of two "
+      "programs are not mixed; write to a new file",
+      format);
 }
 
 StudyRecord readStudyTables(SqliteConnection& connection) {

@@ -19,18 +19,12 @@ class Store {
   Store(StudyDatabase& database, std::size_t parameters, std::size_t metrics)
       : database_(database), parameters_(parameters), metrics_(metrics), waiting_(parameters, metrics) {}
 
-  void add(Batch& batch) {
-    batch.forEach(parameters_ + metrics_,
-                  [this](std::int64_t design, std::span<const double> row, const DesignFailure* failure) {
-                    const auto id = static_cast<std::uint64_t>(design);
-                    if (failure != nullptr) {
-                      waiting_.addFailed(id, row.first(parameters_), failure->message);
-                      ++failed;
-                    } else {
-                      waiting_.add(id, row.first(parameters_), row.subspan(parameters_));
-                    }
-                    ++evaluated;
-                  });
+  void take(Batch& batch) {
+    batch.forEach(parameters_ + metrics_, [this](const EvaluatedDesign& each) {
+      add(each, waiting_);
+      failed += each.failed ? 1 : 0;
+      ++evaluated;
+    });
     if (waiting_.size() >= kDesignsOfAppend) flush();
   }
 
@@ -66,6 +60,16 @@ Workload missingIn(const StudyDatabase& database) {
 
 }  // namespace
 
+void add(const EvaluatedDesign& design, DesignBatch& batch) {
+  const auto id = static_cast<std::uint64_t>(design.design);
+  const std::span<const double> parameters = design.row.first(batch.parameters());
+  if (design.failed) {
+    batch.addFailed(id, parameters, std::string(design.message));
+  } else {
+    batch.add(id, parameters, design.row.subspan(batch.parameters()), std::string(design.message));
+  }
+}
+
 StudyOutcome evaluateMissing(StudyDatabase& database, const Evaluator& evaluator, Executor& executor,
                              const StudyWatch& watch) {
   const StudyRecord& record = database.record();
@@ -88,7 +92,7 @@ StudyOutcome evaluateMissing(StudyDatabase& database, const Evaluator& evaluator
   bool storing = false;  // an exception now comes from the database, which may not be asked again
   const Sink sink = [&](Batch& batch) {
     storing = true;
-    store.add(batch);
+    store.take(batch);
     storing = false;
   };
   const GoOn go_on = [&] {

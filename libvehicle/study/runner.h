@@ -31,6 +31,9 @@ struct StudyOutcome {
   Ending ending = Ending::kFinished;
 };
 
+/// Puts an evaluated design among those that are to be stored.
+void add(const EvaluatedDesign& design, DesignBatch& batch);
+
 /// Evaluates what a database still misses and stores it, some ten thousand designs or two seconds at a time: a run that
 /// is killed loses no more than that. Memory does not depend on the number of designs.
 /// On a rank that does not lead (executor.leads()) use serve() instead.

@@ -62,7 +62,9 @@ class Summary {
     best_.resize(bound_.objectives.size());
     few_ = summary_.designs <= choice.all_up_to;
     const bool saltelli = inputs.study.plan && inputs.study.plan->kind == PlanKind::kSaltelli && !inputs.study.search;
-    if (saltelli) blocks_.assign(outputs_.names().size(), std::vector<double>(plan.points(), kNothing));
+    if (!saltelli) return;
+    sensitivity_.order = inputs.study.plan->second_order;
+    blocks_.assign(outputs_.names().size(), std::vector<double>(plan.points(), kNothing));
   }
 
   StudySummary run() {
@@ -70,6 +72,8 @@ class Summary {
       add(design);
       return true;
     });
+    summary_.incomplete = missing_.designs();
+    summary_.missing = missing_.mostFrequent(choice_.reasons);
     fetchChosen();
     if (!bound_.factors.empty()) tellInfluences();
     return std::move(summary_);
@@ -84,11 +88,15 @@ class Summary {
     }
     if (few_ || design.id < bound_.designs.size()) summary_.compared.push_back(judged(design));
     learn(design);
-    if (design.status == DesignStatus::kFailed || !verdict_.keepsLimits(design.metrics)) return;
+    if (design.status == DesignStatus::kFailed) return;
+    missing_.add(design.metrics, design.message);
+    if (!verdict_.keepsLimits(design.metrics)) return;
     ++summary_.within_limits;
     const std::vector<double> values = verdict_.toMinimise(design.metrics);
     if (values.size() > 1) front_.add(design.id, values);
-    for (std::size_t i = 0; i < values.size(); ++i) keepIfGood(best_[i], {values[i], design.id});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!std::isnan(values[i])) keepIfGood(best_[i], {values[i], design.id});
+    }
   }
 
   using Rank = std::pair<double, std::uint64_t>;  // equal values: the one with the smaller number
@@ -110,6 +118,7 @@ class Summary {
                                                                                    : std::span<const double>());
     std::vector<double> x;
     for (const Factor& factor : bound_.factors) x.push_back(design.parameters[factor.parameters.front()]);
+    ++learned_;
     for (std::size_t i = 0; i < y.size(); ++i) {
       regressions_[i].add(x, y[i]);
       if (!blocks_.empty()) blocks_[i][*point] = y[i];
@@ -136,9 +145,15 @@ class Summary {
 
   void tellInfluences() {
     for (std::size_t i = 0; i < outputs_.names().size(); ++i) {
-      if (regressions_[i].designs() < 3) continue;
-      Influence influence{outputs_.names()[i], {}, regressions_[i].correlations(), regressions_[i].fit()};
-      if (!blocks_.empty()) influence.indices = sensitivityOf(blocks_[i], bound_.factors.size());
+      const std::uint64_t designs = regressions_[i].designs();
+      if (designs < 3 && blocks_.empty()) continue;
+      Influence influence;
+      influence.output = outputs_.names()[i];
+      influence.designs = designs;
+      influence.left_out = learned_ - designs;
+      influence.correlations = regressions_[i].correlations();
+      influence.fit = regressions_[i].fit();
+      if (!blocks_.empty()) influence.indices = sensitivityOf(blocks_[i], bound_.factors.size(), sensitivity_);
       summary_.influences.push_back(std::move(influence));
     }
   }
@@ -153,6 +168,10 @@ class Summary {
     made.metrics.assign(design.metrics.begin(), design.metrics.end());
     made.objectives = verdict_.objectives(design.metrics);
     made.violations = verdict_.violations(design.metrics);
+    for (const BoundObjective& each : bound_.objectives) {
+      const bool has_worst = each.over == Over::kWorst && verdict_.columnsOf(each.metric).size() > 1;
+      made.worst.push_back(has_worst ? verdict_.worstColumn(each, design.metrics) : std::nullopt);
+    }
     return made;
   }
 
@@ -167,6 +186,9 @@ class Summary {
   std::vector<std::vector<Rank>> best_;
   std::vector<Regression> regressions_;       // (outputs)
   std::vector<std::vector<double>> blocks_;   // (outputs x points) of a Saltelli plan
+  SensitivityChoice sensitivity_;
+  std::uint64_t learned_ = 0;  // designs that the influences ask
+  MissingCount missing_;
   bool few_ = false;
   StudySummary summary_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libvehicle/storage/study_database.h"
+#include "libvehicle/study/compare/missing_values.h"
 #include "libvehicle/study/compare/regression.h"
 #include "libvehicle/study/compare/sensitivity.h"
 #include "libvehicle/study/plan/design_plan.h"
@@ -19,10 +20,12 @@ struct JudgedDesign {
   std::uint64_t id = 0;
   std::string name;                  // "base", "soft", "#12", "generation 3 #7"
   std::vector<double> parameters;    // [SI]
-  std::vector<double> metrics;       // [SI]; empty: it failed
-  std::vector<double> objectives;    // [SI], in their own sense
+  std::vector<double> metrics;       // [SI], NaN where there is no value; empty: it failed
+  std::vector<double> objectives;    // [SI], in their own sense; NaN where a value is missing
   std::vector<double> violations;    // [SI] (limits) by how much each is overstepped, 0 where it is kept
-  std::string message;               // of a failed one
+  /// (objectives) the column of the worst case, where several are judged by their worst
+  std::vector<std::optional<std::size_t>> worst;
+  std::string message;  // why it failed, or why values are missing
   [[nodiscard]] bool failed() const { return metrics.empty(); }
   [[nodiscard]] bool keepsLimits() const;
 };
@@ -30,6 +33,8 @@ struct JudgedDesign {
 /// What the factors do to one objective, or to one metric column where there are no objectives.
 struct Influence {
   std::string output;                   // "carbody.az.rms", "carbody.az.rms, worst of 14"
+  std::uint64_t designs = 0;            // that have a value
+  std::uint64_t left_out = 0;           // that have none, or failed
   SensitivityResult indices;            // of a Saltelli plan; else empty
   std::vector<double> correlations;     // (factors) of any plan
   std::optional<Regression::Fit> fit;   // standardised straight lines
@@ -41,6 +46,8 @@ struct StudySummary {
   std::uint64_t stored = 0;
   std::uint64_t failed = 0;
   std::uint64_t within_limits = 0;              // of those that did not fail
+  std::uint64_t incomplete = 0;                 // that lack values, of those that did not fail
+  std::vector<MissingValues> missing;           // the most frequent first
   std::vector<JudgedDesign> compared;           // base first, then the named ones; all, where they are few
   std::vector<std::vector<JudgedDesign>> best;  // (objectives) the best first, all within the limits
   std::vector<JudgedDesign> front;              // that nothing within the limits dominates, by the first objective
@@ -55,6 +62,7 @@ struct SummaryChoice {
   std::size_t best = 5;       // of each objective
   std::size_t all_up_to = 40; // designs that are compared one by one
   std::size_t failures = 5;
+  std::size_t reasons = 5;    // for which values are missing
   std::size_t outputs = 20;   // columns whose influences are told where a study has no objectives
 };
 

@@ -43,16 +43,21 @@ ElementRow planRow() {
       "plan",
       "How values become designs: grid crosses all of them; latin_hypercube and sobol fill the space with size "
       "designs; "
-      "saltelli makes size * (parameters + 2) designs for sensitivity indices; list reads a CSV file, one design a "
-      "row.",
+      "saltelli makes size * (parameters + 2) designs for sensitivity indices, with second_order size * (2 parameters "
+      "+ "
+      "2); list reads a CSV file, one design a row.",
       R"(<plan kind="sobol" size="1000" seed="1"/>)",
       {
           choice<&Plan::kind>("kind", {"grid", "latin_hypercube", "sobol", "saltelli", "list"}, "which plan")
               .asRequired(),
-          integer<&Plan::size>("size", 1, kMostDesigns, "designs of a plan that samples"),
+          integer<&Plan::size>("size", 1, kMostDesigns,
+                               "designs of a plan that samples; blocks of a saltelli plan, best a power of two"),
           integer<&Plan::seed>("seed", 0, kMostDesigns,
-                               "of a plan that samples, without it 1: another seed, another sample; sobol and saltelli "
-                               "take 0 for the plain sequence"),
+                               "of a plan that samples, without it 1: another seed, another sample; sobol takes 0 for its "
+                               "plain sequence"),
+           choice<&Plan::second_order>("second_order", {"no", "yes"},
+                                       "of a saltelli plan: the indices of pairs of parameters too")
+               .orElse("no"),
           bound<&Plan::file>("file", ValueKind::kFile,
                              "of a list: header PARAMETER [UNIT],..., counted from the folder of this file"),
       });
@@ -121,8 +126,11 @@ ElementRow studyRow() {
           element<&Study::metrics>(
               "metric",
               "A number by which designs are compared: COLUMN.rms, .mean, .peak (max of |x|), .min, .max, .p99.85 "
-              "(percentile), .abs_p95 (of |x|), .band(4..8 Hz) (r.m.s. between two frequencies); mode.NAME.frequency, "
-              "mode.NAME.damping; static.SUSPENSION.deflection, static.NAME.load.",
+              "(percentile), .abs_p95 (of |x|), .band(4..8 Hz) (r.m.s. between two frequencies); of the natural mode "
+              "that is called NAME in the vehicle as its file says it: mode.NAME.frequency (|lambda| / 2 pi), "
+              "mode.NAME.damped_frequency (|Im lambda| / 2 pi), mode.NAME.undamped_frequency (of masses and "
+              "stiffnesses alone), mode.NAME.damping (the damping ratio); static.SUSPENSION.deflection, "
+              "static.NAME.load.",
               R"(<metric name="carbody.az.rms"/>)", {words<&StudyMetric::name>("name", "as said above").asRequired()}),
           element<&Study::objectives>(
               "objective", "What is sought: the Pareto front is taken over all objectives.",

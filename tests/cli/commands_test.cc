@@ -1,6 +1,8 @@
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -95,8 +97,51 @@ TEST(ModesCommand, OfOneMassAreThoseOfTheTextbook) {
   const Json mode = Json::parse(run.out)["tables"]["modes"]["rows"][0];
   // w = sqrt(k/m) = 10 1/s, zeta = c / (2 sqrt(k m)) = 0.1; eigenvalue solver's rounding.
   EXPECT_NEAR(mode["frequency"].get<double>(), 10.0 / (2.0 * 3.14159265358979323846), 1e-12);
-  EXPECT_NEAR(mode["damping"].get<double>(), 0.1, 1e-12);
+  EXPECT_NEAR(mode["damping ratio"].get<double>(), 0.1, 1e-12);
+  EXPECT_NEAR(mode["undamped frequency"].get<double>(), 10.0 / (2.0 * 3.14159265358979323846), 1e-12);
+  EXPECT_NEAR(mode["damped frequency"].get<double>(), 10.0 * std::sqrt(0.99) / (2.0 * 3.14159265358979323846), 1e-12);
   EXPECT_EQ(Json::parse(run.out)["tables"]["shapes"]["rows"][0]["coordinate"], "carbody.z");
+}
+
+// The published case: 2.7 MN/m under a body whose pitch is overdamped at 0.6 MN/m.
+TEST(ModesCommand, AnAperiodicModeHasNoDampedFrequencyButThatOfItsMassesAndStiffnesses) {
+  const TestFolder folder;
+  std::string text = textOf(VEHICLE_SOURCE_DIR "/tests/cli/cases/short-pitch-loco.xml");
+  text.replace(text.find("2.7 MN/m"), 8, "0.6 MN/m");
+  const ProgramRun run = runVehicle({"modes", folder.file("v.xml", text), "--format", "json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  std::vector<double> rates;
+  const Json told = Json::parse(run.out);
+  for (const Json& mode : told["tables"]["modes"]["rows"]) {
+    if (!mode["name"].get<std::string>().starts_with("carbody pitch, aperiodic")) continue;
+    rates.push_back(mode["frequency"]);
+    EXPECT_TRUE(mode["damped frequency"].is_null());
+    // (J w^2 - K)(m w^2 - ks - 2 kp) = K ks with K = 2 a^2 ks, the lower of its two roots.
+    const double ks = 0.6e6, kp = 3e6, J = 70e3, m = 9e3, K = 2.0 * 3.7 * 3.7 * ks;
+    const double b = m * K + J * (ks + 2.0 * kp), c = 2.0 * K * kp;
+    const double w = std::sqrt((b - std::sqrt(b * b - 4.0 * J * m * c)) / (2.0 * J * m));
+    EXPECT_NEAR(mode["undamped frequency"].get<double>(), w / (2.0 * 3.14159265358979323846), 1e-12);
+  }
+  ASSERT_EQ(rates.size(), 2u);
+  EXPECT_NEAR(rates[0], 1.170, 5e-4);
+  EXPECT_NEAR(rates[1], 6.542, 5e-4);
+}
+
+TEST(ModesCommand, ShowsShapesAsAMatrixWithCoordinatesAsRows) {
+  const ProgramRun run = runVehicle({"modes", model("vehicles/manchester-coach.xml")});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::size_t at = run.out.find("\nshapes: ");
+  ASSERT_NE(at, std::string::npos) << run.out;
+  const std::string shapes = run.out.substr(at + 1);
+  // A symmetric coach: both bogies alike in bounce, opposite in pitch; the bogies' own pitch is theirs alone.
+  for (const char* row : {"\n  coordinate               mode 1  ", "\n  carbody.z [m]            1 (0) ",
+                          "\n  rear_bogie.pitch [rad]   0      "}) {
+    EXPECT_TRUE(has(shapes, row)) << row << shapes;
+  }
+  std::size_t lines = 0;
+  for (const char letter : shapes) lines += letter == '\n' ? 1 : 0;
+  EXPECT_EQ(lines, 8u) << shapes;  // title, modes, six coordinates
+  EXPECT_FALSE(has(shapes, "-0)")) << shapes;
 }
 
 TEST(SimulateCommand, PrintsASummaryThatIsAlikeInAllFormats) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/studies.h"
 
@@ -79,7 +80,7 @@ TEST(StudyCommand, ADatabaseThatCannotBeShownIsNamedWithTheReason) {
   const std::string no_sqlite =
       ": error: holds no study: it is no SQLite file; name a database that `vehicle study --output` wrote\n";
   const std::string of_format_9 =
-      ": error: holds a study in format 9, this program reads format 1; name a database that this program's `vehicle "
+      ": error: holds a study in format 9, this program reads formats 1 to 2; name a database that this program's `vehicle "
       "study --output` wrote\n";
   const std::string where = folder.root().string();
   expectRefusals({
@@ -200,33 +201,90 @@ TEST(StudyCommand, WhatCannotBeWrittenIsToldBeforeAnyDesign) {
   EXPECT_FALSE(std::filesystem::exists(to));
 }
 
-TEST(StudyCommand, TellsAModeThatTheVehicleLacksBeforeTheFirstDesign) {
+// An unknown mode costs its own values only; it is printed where the metric stands, in every output, and counts with
+// --strict.
+TEST(StudyCommand, AModeThatTheVehicleLacksIsAWarningAndItsValuesAreEmpty) {
   const TestFolder folder;
   const std::string study = smallStudyIn(
       folder, with(smallStudy(), "<objective", "<metric name=\"mode.carbody bounse.damping\"/>\n  <objective"));
-  const ProgramRun run = runVehicle({"study", study, "--output", folder.path("study.sqlite")});
-  EXPECT_EQ(run.err.find(study + ": metric mode.carbody bounse.damping: mode \"carbody bounse\" is unknown; did you "
-                                 "mean \"carbody bounce\"? (in the vehicle as it stands; designs without that mode "
-                                 "fail)\n"),
-            0u)
-      << run.err;
+  const std::string database = folder.path("study.sqlite");
+  const std::string tail =
+      ":9: warning: mode.carbody bounse.damping: mode \"carbody bounse\" is unknown in the vehicle as its file says "
+      "it: "
+      "the metric has no value in any design; did you mean \"carbody bounce\"? [UNKNOWN_MODE]\n";
+  const ProgramRun run = runVehicle({"study", study, "--output", database, "--quiet"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, study + tail);
+  EXPECT_TRUE(has(run.out, "\nfailed               0\n")) << run.out;
+  EXPECT_TRUE(has(tableCalled("missing values", run.out),
+                  "        3  mode.carbody bounse.damping  mode \"carbody bounse\" is unknown; did you mean"))
+      << run.out;
+  const ProgramRun shown = runVehicle({"study", "show", database, "--format", "json", "--strict"});
+  EXPECT_EQ(shown.status, 4);
+  EXPECT_EQ(shown.err, "study.xml" + tail);  // the file that the database keeps
+  const nlohmann::json told = nlohmann::json::parse(shown.out);
+  EXPECT_EQ(told["tables"]["warnings"]["rows"][0]["code"], "UNKNOWN_MODE");
+  EXPECT_EQ(told["tables"]["warnings"]["rows"][0]["line"], 9);
 }
 
+TEST(StudyCommand, DoubtfulSaltelliPlansWarnBeforeAndAfter) {
+  const TestFolder folder;
+  const std::string study = folder.file(
+      "study.xml", paperStudy(R"(<vary parameter="carbody.mass" from="50 t" to="60 t"/>
+  <plan kind="saltelli" size="20"/>)",
+                              R"(<metric name="carbody.az.rms"/> <metric name="static.secondary_front.load"/>
+  <metric name="primary_1.force.mean"/>)"));
+  const ProgramRun run = runVehicle({"study", study, "--output", folder.path("study.sqlite")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::vector<std::string> lines = linesOf(run.err);
+  ASSERT_EQ(lines.size(), 2u) << run.err;
+  EXPECT_TRUE(has(lines[0], study + ":5: warning: <study><plan>: size=\"20\" is no power of two")) << run.err;
+  EXPECT_TRUE(has(lines[0], "take 16 or 32 [SAMPLE_SIZE]")) << run.err;
+  EXPECT_TRUE(
+      has(lines[1], "warning: primary_1.force.mean: no sensitivity index can be given: it is 0 in every design"))
+      << run.err;
+  EXPECT_EQ(runVehicle({"study", "show", folder.path("study.sqlite"), "--strict"}).status, 4);
+}
+
+TEST(StudyCommand, SecondOrderBelongsToSaltelli) {
+  const TestFolder folder;
+  const std::string study =
+      folder.file("study.xml", paperStudy(R"(<vary parameter="carbody.mass" from="50 t" to="60 t"/>
+  <plan kind="sobol" size="16" second_order="yes"/>)"));
+  expectRefusals({{{"study", study, "--output", folder.path("to.sqlite")},
+                   1,
+                   study + ":5: error: <study><plan>: has second_order with another kind than saltelli; write "
+                           "kind=\"saltelli\", or remove second_order\n"}});
+}
+
+// A wagon whose centre of gravity is too high for its springs tips over: its motion grows until it leaves the numbers.
 TEST(StudyCommand, AStudyThatFailsInEveryDesignSaysWhyAndEndsWithThree) {
   const TestFolder folder;
-  const std::string wrong =
-      with(smallStudy(), "<objective", "<metric name=\"mode.carbody bounse.damping\"/>\n  <objective");
-  const std::string study = smallStudyIn(folder, wrong);
+  const std::string study = folder.file("study.xml", R"(<study name="tips" format="1">
+  <vehicle file="v.xml"/>
+  <scenario file="s.xml"/>
+  <design name="heavy"><set parameter="carbody.mass" value="60 t"/></design>
+  <metric name="carbody.az.rms"/>
+</study>
+)");
+  folder.file("v.xml", R"(<vehicle name="tips-over" format="1">
+  <element name="leaf" stiffness_z="100 kN/m" damping_z="1 kN*s/m"/>
+  <body name="carbody" mass="10 t" z="3 m" pitch_inertia="5 t*m^2" motion="z pitch"/>
+  <wheelset name="w1" x="0.5 m" z="0.45 m"/> <wheelset name="w2" x="-0.5 m" z="0.45 m"/>
+  <suspension name="s1" element="leaf" upper="carbody" lower="w1" x="0.5 m" z="0.5 m"/>
+  <suspension name="s2" element="leaf" upper="carbody" lower="w2" x="-0.5 m" z="0.5 m"/>
+</vehicle>
+)");
+  folder.file("s.xml", smallScenario(R"(speed="20 m/s" duration="300 s" output_step="50 ms")"));
   const ProgramRun run = runVehicle({"study", study, "--output", folder.path("study.sqlite"), "--quiet"});
   EXPECT_EQ(run.status, 3);
-  const std::string why = "mode \"carbody bounse\" is unknown; did you mean \"carbody bounce\"?";
-  EXPECT_EQ(run.err, "vehicle: every design of the study failed: " + why + "\n");
-  EXPECT_EQ(tableCalled("failed designs", run.out), "failed designs\n"
-                                                    "  design  name    why\n"
-                                                    "       0  base    " + why + "\n"
-                                                    "       1  soft    " + why + "\n"
-                                                    "       2  damped  " + why + "\n");
-  EXPECT_TRUE(has(run.out, "\nfailed         3\n")) << run.out;
+  EXPECT_TRUE(has(run.err, "vehicle: every design of the study failed: ")) << run.err;
+  const std::vector<std::string> lines = linesOf(tableCalled("failed designs", run.out));
+  ASSERT_EQ(lines.size(), 4u) << run.out;
+  EXPECT_EQ(lines[1], "  design  why");
+  EXPECT_TRUE(lines[2].starts_with("  base    ") && has(lines[2], "not finite at t = ")) << lines[2];
+  EXPECT_TRUE(lines[3].starts_with("  heavy   ") && has(lines[3], "not finite at t = ")) << lines[3];
+  EXPECT_TRUE(has(run.out, "\nfailed         2\n")) << run.out;
 }
 
 }  // namespace

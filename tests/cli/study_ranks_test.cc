@@ -21,15 +21,20 @@ int runRanks(const std::string& arguments, const std::string& err) {
 TEST(StudyRanks, TwoRanksExportTheBytesOfASerialRun) {
   const TestFolder folder;
   const std::string varied = R"(<vary parameter="carbody.mass" from="40 t" to="70 t"/>
+  <vary parameter="secondary.stiffness_z" from="300 kN/m" to="4 MN/m"/>
   <vary parameter="speed" values="20 m/s, 100 km/h"/>
-  <plan kind="latin_hypercube" size="3000"/>)";
-  const std::string study = folder.file("study.xml", paperStudy(varied));
+  <plan kind="saltelli" size="256" second_order="yes"/>)";
+  // Some designs lack a mode's frequency: their gaps travel between the ranks.
+  const std::string study = folder.file(
+      "study.xml",
+      paperStudy(varied, R"(<metric name="carbody.az.rms"/><metric name="mode.carbody pitch.frequency"/>)"));
   const std::string serial = folder.path("serial.csv"), shared = folder.path("shared.csv"), err = folder.path("err");
   const std::string database = folder.path("serial.sqlite");
   ASSERT_EQ(runVehicle({"study", study, "--output", database, "--export", serial, "--jobs", "1"}).status, 0);
   const std::string to = " --output '" + folder.path("shared.sqlite") + "' --export '" + shared + "'";
   ASSERT_EQ(runRanks("study '" + study + "'" + to, err), 0) << textOf(err);
-  EXPECT_EQ(linesOf(textOf(serial)).size(), 3002u);
+  EXPECT_EQ(linesOf(textOf(serial)).size(), 2u + 256u * 6u);
+  EXPECT_TRUE(has(textOf(serial), ",\"mode.carbody pitch.frequency: the mode is overdamped")) << textOf(serial);
   EXPECT_TRUE(textOf(shared) == textOf(serial));
 }
 

@@ -33,7 +33,7 @@ std::string exported(const TestFolder& folder, const std::string& database) {
 
 TEST(StudyResume, AnyNumberOfThreadsExportsTheSameBytes) {
   const TestFolder folder;
-  const std::string study = folder.file("study.xml", slowStudy(1500));
+  const std::string study = folder.file("study.xml", slowStudy(500));
   std::vector<std::string> tables;
   for (const char* jobs : {"1", "2", "5"}) {
     const std::string name = std::string("with-").append(jobs);
@@ -44,9 +44,9 @@ TEST(StudyResume, AnyNumberOfThreadsExportsTheSameBytes) {
     EXPECT_TRUE(has(run.out, std::string("\nthreads        ").append(jobs).append("\n"))) << run.out;
     tables.push_back(textOf(folder.path(name + ".csv")));
   }
-  EXPECT_EQ(linesOf(tables[0]).size(), 1502u);  // header, base, plan
+  EXPECT_EQ(linesOf(tables[0]).size(), 502u);  // header, base, plan
   EXPECT_EQ(linesOf(tables[0])[0],
-            "design,name,status,carbody.mass [kg],secondary.stiffness_z [N/m],carbody.az.rms [m/s^2],"
+            "id,design,status,carbody.mass [kg],secondary.stiffness_z [N/m],carbody.az.rms [m/s^2],"
             "mode.carbody bounce.damping [],message");
   EXPECT_EQ(tables[1], tables[0]);
   EXPECT_EQ(tables[2], tables[0]);

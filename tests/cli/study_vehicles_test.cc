@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 double valueOf(const Json& told, const std::string& design, const std::string& quantity) {
   for (const Json& row : told["tables"]["comparison"]["rows"]) {
-    if (row["name"] == design && row["quantity"] == quantity) return row["value"].get<double>();
+    if (row["design"] == design && row["quantity"] == quantity) return row["value"].get<double>();
   }
   ADD_FAILURE() << design << " has no " << quantity << " in " << told["tables"]["comparison"].dump(1);
   return NAN;

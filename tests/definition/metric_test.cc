@@ -73,7 +73,12 @@ TEST(ParseMetric, ModesAndRestAreAskedByName) {
   EXPECT_EQ(mode.kind, MetricKind::kMode);
   EXPECT_EQ(mode.subject, "carbody + front_bogie bounce in phase");
   EXPECT_EQ(unitOf(mode, ""), "Hz");
-  EXPECT_EQ(unitOf(metric("mode.carbody pitch.damping"), ""), "");
+  for (const char* each : {"frequency", "damped_frequency", "undamped_frequency", "damping"}) {
+    const Metric of_mode = metric(std::string("mode.carbody pitch.").append(each));
+    EXPECT_EQ(of_mode.subject, "carbody pitch");
+    EXPECT_EQ(of_mode.quantity, each);
+    EXPECT_EQ(unitOf(of_mode, ""), std::string(each) == "damping" ? "" : "Hz");
+  }
   const Metric rest = metric("static.secondary_front.deflection");
   EXPECT_EQ(rest.kind, MetricKind::kStatic);
   EXPECT_EQ(rest.subject, "secondary_front");
@@ -86,6 +91,9 @@ TEST(ParseMetric, ModesAndRestAreAskedByName) {
 
 TEST(ParseMetric, WhatIsNoMetricIsToldWithTheNearestWord) {
   EXPECT_EQ(refusal("carbody.az.rmss"), "ends in \"rmss\", which is no statistic; did you mean \"rms\"?");
+  EXPECT_EQ(refusal("mode.carbody pitch.freqency"),
+            "ends in \"freqency\", which is no statistic; did you mean \"frequency\"?");
+  EXPECT_EQ(refusal("static.wheelset_1.loads"), "ends in \"loads\", which is no statistic; did you mean \"load\"?");
   for (const char* text : {"", "rms", ".rms", "carbody.az", "carbody.az.median", "mode..frequency", "static.load", ".",
                            "()", ".band()", ".p5", "x.band(..Hz)", "x.band(", "x.band()"}) {
     EXPECT_NE(refusal(text), "; ") << text;

@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
         // In the second batch of the portion that it is given at once: a slow machine's others cannot do without it.
         if (which == "lost" && rank == 1 && ++evaluated == 20) ::_exit(9);
         for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::sin(given[0] + static_cast<double>(i));
+        if (design % 1000 == 11) row[2] = NAN;
       },
       1);
   if (which == "absent" && rank == 1) return 0;
@@ -127,6 +128,7 @@ int main(int argc, char** argv) {
     for (const DesignFailure& each : batch.failures) {
       rows[each.design].assign(kColumns, -static_cast<double>(each.message.size()));
     }
+    for (const DesignGap& each : batch.gaps) rows[each.design].push_back(static_cast<double>(each.message.size()));
   };
   try {
     if (which == "stop") {

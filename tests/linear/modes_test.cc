@@ -5,25 +5,13 @@
 #include <set>
 #include <stdexcept>
 
-#include "tests/support/paper_matrices.h"
+#include "tests/linear/coach.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle::test {
 namespace {
 
 using Complex = std::complex<double>;
-
-std::vector<Channel> statesOf(const std::vector<std::string>& coordinates) {
-  std::vector<Channel> states;
-  for (const std::string& name : coordinates) states.push_back({name, "m"});
-  for (const std::string& name : coordinates) states.push_back({name + "_rate", "m/s"});
-  return states;
-}
-
-/// A of M q'' + C q' + K q = 0.
-Eigen::MatrixXd stateMatrix(const Eigen::MatrixXd& M, const Eigen::MatrixXd& C, const Eigen::MatrixXd& K) {
-  return stateSpaceOf(M, C, K, Eigen::MatrixXd::Zero(M.rows(), 1), Eigen::MatrixXd::Zero(M.rows(), 1)).A;
-}
 
 /// |(lambda^2 M + lambda C + K) q| relative to the largest of its three terms.
 double residual(const Mode& mode, const Eigen::MatrixXd& A) {
@@ -96,31 +84,6 @@ TEST(ModesOf, TwoMassesMoveInPhaseAndInAntiphase) {
   EXPECT_EQ(modes[1].name, "a + b bounce in antiphase");
 }
 
-/// Manchester benchmark coach in the plane: q = (zk, phi, z1, th1, z2, th2).
-/// Source: S. Iwnicki, Vehicle System Dynamics 30 (1998) 295-313.
-Eigen::MatrixXd coachMatrix(double damping = 1.0) {
-  using Row = Eigen::Matrix<double, 6, 1>;
-  const double pivot = 9.5, axle = 1.28;
-  const Row secondary[] = {{1, pivot, -1, 0, 0, 0}, {1, -pivot, 0, 0, -1, 0}};
-  const Row primary[] = {{0, 0, 1, axle, 0, 0}, {0, 0, 1, -axle, 0, 0}, {0, 0, 0, 0, 1, axle}, {0, 0, 0, 0, 1, -axle}};
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6), C = K;
-  for (const Row& r : secondary) {
-    K += 860e3 * r * r.transpose();
-    C += damping * 40e3 * r * r.transpose();
-  }
-  for (const Row& r : primary) {
-    K += 2440e3 * r * r.transpose();
-    C += damping * 8e3 * r * r.transpose();
-  }
-  const Eigen::MatrixXd M = Row(32e3, 1.97e6, 2615, 1476, 2615, 1476).asDiagonal();
-  return stateMatrix(M, C, K);
-}
-
-std::vector<Channel> coachStates() {
-  return statesOf({"carbody.z", "carbody.pitch", "front_bogie.z", "front_bogie.pitch", "rear_bogie.z",
-                   "rear_bogie.pitch"});
-}
-
 TEST(ModesOf, TwoEqualBogiesPitchOneByOneAtOneEigenvalue) {
   const std::vector<Mode> modes = modesOf(coachMatrix(), coachStates());
   ASSERT_EQ(modes.size(), 6u);
@@ -150,7 +113,8 @@ TEST(ModesOf, NearlyEqualModesStayApart) {
 }
 
 TEST(ModesOf, UndampedModesHaveNoRealPart) {
-  const std::vector<Mode> modes = modesOf(coachMatrix(0.0), coachStates());
+  const std::vector<Mode> modes =
+      modesOf(coachMatrix({.secondary_damping = 0.0, .primary_damping = 0.0}), coachStates());
   ASSERT_EQ(modes.size(), 6u);
   for (const Mode& mode : modes) {
     EXPECT_EQ(mode.eigenvalue.real(), 0.0) << mode.name;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -92,6 +93,51 @@ TEST(StudyDatabase, ExtremeNumbersKeepTheirBitsAndMinusZeroBecomesZero) {
   EXPECT_EQ(read.back(), 4.0);
 }
 
+TEST(StudyDatabase, ADesignThatIsDoneMayLackValuesAndSaysWhy) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy(3);
+  DesignBatch batch(2, 3);
+  batch.add(0, parametersOfDesign(0), metricsOfDesign(0));
+  batch.add(1, parametersOfDesign(1), std::vector<double>{1.0, std::nan(""), 3.0}, "no line in the band");
+  batch.addFailed(2, parametersOfDesign(2), "weighs nothing");
+  EXPECT_EQ(refusalOf(folder,
+                      [&] {
+                        batch.add(3, parametersOfDesign(3), std::vector<double>{1.0, std::nan(""), 3.0});
+                      }),
+            "DesignBatch: id 3 lacks a value without a message");
+  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
+  database.append(batch);
+  std::vector<std::string> seen;
+  database.forEach([&](const StoredDesign& design) {
+    std::string row(design.status == DesignStatus::kDone ? "done" : "failed");
+    for (const double each : design.metrics) row.append(std::isnan(each) ? " -" : " x");
+    seen.push_back(row.append(" ").append(design.message));
+    return true;
+  });
+  EXPECT_EQ(seen, (std::vector<std::string>{"done x x x ", "done x - x no line in the band", "failed weighs nothing"}));
+  // Any SQLite tool sees NULL, which is no number, and the CSV an empty field.
+  database.writeCsv(folder.path("study.csv"));
+  EXPECT_NE(textOf(folder.path("study.csv")).find(",1,,3,no line in the band\n"), std::string::npos)
+      << textOf(folder.path("study.csv"));
+}
+
+// Format 1 differs from format 2 in nothing but that no value is missing; the number stands at byte 60, big-endian (the
+// format of SQLite's files, section 1.3).
+TEST(StudyDatabase, AStudyOfAnOlderFormatIsShownButNotGoneOnWith) {
+  const TestFolder folder;
+  const StudyRecord record = smallStudy(10);
+  const std::string path = folder.path("study.sqlite");
+  StudyDatabase::create(path, record).append(batchOf(record, 0, 5));
+  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(63).put(1);
+  const StudyDatabase old = StudyDatabase::read(path);
+  EXPECT_EQ(old.record(), record);
+  EXPECT_EQ(old.stored(), 5u);
+  EXPECT_EQ(
+      refusalOf(folder, [&] { (void)StudyDatabase::resume(path, record); }),
+      "study.sqlite: holds a study in format 1, which an older program wrote: it can be shown, but numbers of two "
+      "programs are not mixed; write to a new file");
+}
+
 TEST(StudyDatabase, MissingIsTheComplementOfWhatIsStored) {
   const TestFolder folder;
   const StudyRecord record = smallStudy(100);
@@ -113,16 +159,20 @@ TEST(StudyDatabase, ABatchThatIsRefusedLeavesNothingBehind) {
   StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
   database.append(batchOf(record, 0, 10));
   EXPECT_EQ(refusalOf(folder, [&] { database.append(batchOf(record, 5, 20)); }),
-            "StudyDatabase: design 5 is stored already");
+            "StudyDatabase: id 5 is stored already");
   DesignBatch twice = batchOf(record, 50, 60);
   test::addDesign(twice, 55);
-  EXPECT_EQ(refusalOf(folder, [&] { database.append(twice); }), "StudyDatabase: design 55 is stored already");
-  DesignBatch nan = batchOf(record, 30, 35);
-  nan.add(36, parametersOfDesign(36), std::vector<double>{1.0, std::nan(""), 2.0});
-  EXPECT_EQ(refusalOf(folder, [&] { database.append(nan); }),
-            "StudyDatabase: design 36: carbody.az.rms @ 120 km/h = nan, must be finite; such a design has failed");
+  EXPECT_EQ(refusalOf(folder, [&] { database.append(twice); }), "StudyDatabase: id 55 is stored already");
+  DesignBatch infinite = batchOf(record, 30, 35);
+  infinite.add(36, parametersOfDesign(36), std::vector<double>{1.0, INFINITY, 2.0});
+  EXPECT_EQ(refusalOf(folder, [&] { database.append(infinite); }),
+            "StudyDatabase: id 36: carbody.az.rms @ 120 km/h = inf, must be finite, or NaN where there is no value");
+  DesignBatch nowhere = batchOf(record, 30, 35);
+  nowhere.add(36, std::vector<double>{1.0, std::nan("")}, metricsOfDesign(36));
+  EXPECT_EQ(refusalOf(folder, [&] { database.append(nowhere); }),
+            "StudyDatabase: id 36: primary.stiffness_z = nan, must be finite");
   EXPECT_EQ(refusalOf(folder, [&] { database.append(batchOf(record, 99, 101)); }),
-            "StudyDatabase: design 100 of a study of 100");
+            "StudyDatabase: id 100 of a study of 100 designs");
   EXPECT_EQ(database.stored(), 10u);
   database.append(batchOf(record, 10, 100));
   EXPECT_TRUE(database.missing().empty());
@@ -282,7 +332,7 @@ TEST(StudyDatabase, TheCsvNamesTheDesignsWhereNamesAreTold) {
   database.writeCsv(folder.path("study.csv"), [](std::uint64_t id) { return id == 0 ? "base" : "soft, \"1\""; });
   const std::string text = textOf(folder.path("study.csv"));
   std::string_view rest = text;
-  EXPECT_TRUE(takeLine(rest).starts_with("design,name,status,carbody.mass [kg],"));
+  EXPECT_TRUE(takeLine(rest).starts_with("id,design,status,carbody.mass [kg],"));
   for (const char* name : {"base", "soft, \"1\""}) {
     const auto fields = splitFields(takeLine(rest)).value();
     ASSERT_EQ(fields.size(), 9u);
@@ -299,7 +349,7 @@ TEST(StudyDatabase, TheCsvHoldsEveryDesignWithNumbersThatReadBack) {
   const std::string text = textOf(folder.path("study.csv"));
   std::string_view rest = text;
   EXPECT_EQ(takeLine(rest),
-            "design,status,carbody.mass [kg],primary.stiffness_z [N/m],carbody.az.rms @ 80 km/h [m/s^2],"
+            "id,status,carbody.mass [kg],primary.stiffness_z [N/m],carbody.az.rms @ 80 km/h [m/s^2],"
             "carbody.az.rms @ 120 km/h [m/s^2],\"static, load [N]\",message");
   for (std::uint64_t id = 0; id < 5; ++id) {
     const auto fields = splitFields(takeLine(rest)).value();

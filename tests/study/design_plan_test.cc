@@ -129,6 +129,29 @@ TEST(DesignPlan, ASaltelliBlockIsAThenBThenAWithOneCoordinateOfB) {
   }
 }
 
+TEST(DesignPlan, ASaltelliBlockOfSecondOrderHasBWithOneCoordinateOfABesides) {
+  Study study = studyOf({range("carbody.mass", "50 t", "60 t"), range("primary.damping_z", "10 kN*s/m", "90 kN*s/m"),
+                         range("speed", "10 m/s", "50 m/s")},
+                        PlanKind::kSaltelli, 8);
+  const DesignPlan first_order = planOf(study);
+  study.plan->second_order = SecondOrder::kYes;
+  const DesignPlan plan = planOf(study);
+  ASSERT_EQ(plan.points(), 8u * 8u);
+  for (std::uint64_t block = 0; block < 8; ++block) {
+    const std::uint64_t first = 1 + block * 8;
+    const Values a = valuesOf(plan, first);
+    const Values b = valuesOf(plan, first + 1);
+    for (std::uint64_t member = 0; member < 5; ++member) {
+      EXPECT_EQ(valuesOf(plan, first + member), valuesOf(first_order, 1 + block * 5 + member));
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      Values expected = b;
+      expected[i] = a[i];
+      EXPECT_EQ(valuesOf(plan, first + 5 + i), expected);
+    }
+  }
+}
+
 TEST(DesignPlan, TooManyDesignsAreRefusedWithoutCountingThem) {
   Study study = studyOf({range("carbody.mass", "50 t", "60 t", 100'000),
                          range("primary.damping_z", "1 kN*s/m", "2 kN*s/m", 100'000),

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -15,7 +16,8 @@
 namespace vehicle::test {
 
 /// Rows by a function of design number and given numbers, so that executors and runners are tested without a vehicle.
-/// The function may throw: std::domain_error is the design's failure, everything else ends the study.
+/// The function may throw: std::domain_error is the design's failure, everything else ends the study. A number that it
+/// makes NaN is a gap.
 class FunctionEvaluator : public Evaluator {
  public:
   using Function = std::function<void(std::int64_t design, std::span<const double> given, std::span<double> row)>;
@@ -37,6 +39,10 @@ class FunctionEvaluator : public Evaluator {
         const std::span<double> row = batch.row(design, evaluator.columns_);
         try {
           evaluator.function_(design, task.given.subspan(place, evaluator.given_), row);
+          const auto gap = std::find_if(row.begin(), row.end(), [](double each) { return std::isnan(each); });
+          if (gap != row.end()) {
+            batch.gaps.push_back({design, "column " + std::to_string(gap - row.begin()) + ": no value"});
+          }
         } catch (const std::domain_error& error) {
           std::fill(row.begin(), row.end(), NAN);
           batch.failures.push_back({design, error.what()});

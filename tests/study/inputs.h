@@ -38,6 +38,7 @@ inline StudyInputs inputsOf(Study study, Vehicle vehicle, std::vector<Scenario> 
 struct Answers {
   std::vector<std::vector<double>> metrics;      // (designs x metrics)
   std::map<std::int64_t, std::string> problems;  // of the designs that failed
+  std::map<std::int64_t, std::string> gaps;      // why others lack values
 };
 
 /// Evaluates designs given by their parameter values.
@@ -55,6 +56,7 @@ inline Answers answersOf(const StudyInputs& inputs, const std::vector<std::vecto
       answers.metrics[static_cast<std::size_t>(design)].assign(row.begin(), row.end());
     }
     for (const DesignFailure& each : batch.failures) answers.problems[each.design] = each.message;
+    for (const DesignGap& each : batch.gaps) answers.gaps[each.design] = each.message;
   });
   return answers;
 }

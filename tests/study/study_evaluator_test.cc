@@ -8,7 +8,6 @@
 #include "libvehicle/ensemble/ensemble.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/study/evaluate/column_statistic.h"
-#include "libvehicle/study/evaluate/rest_and_modes.h"
 #include "libvehicle/study/evaluate/summary_statistic.h"
 #include "tests/study/inputs.h"
 #include "tests/support/tolerance.h"
@@ -321,19 +320,6 @@ TEST(StudyEvaluator, AHarmonicOnABandsLimitIsInIt) {
   EXPECT_GT(answers.metrics[0][0], 0.0);
   EXPECT_WITHIN(answers.metrics[0][1] / answers.metrics[0][0], 1.0, 1e-14);
   EXPECT_EQ(answers.metrics[0][2], 0.0);
-}
-
-TEST(StudyEvaluator, AModeThatIsNotThereNamesTheNearest) {
-  const StudyInputs inputs =
-      inputsOf(studyOf({range("carbody.mass", "40 t", "60 t")}, {"mode.carbody bouncy.frequency"}), paperVehicle(),
-               {paperScenario(History::kOnset)});
-  const Answers answers = answersOf(inputs, {{57e3}});
-  EXPECT_EQ(answers.problems.at(0), "mode \"carbody bouncy\" is unknown; did you mean \"carbody bounce\"?");
-  // The same is known before the first design.
-  ASSERT_EQ(modesInDoubt(inputs).size(), 1u);
-  EXPECT_EQ(modesInDoubt(inputs).front(),
-            "metric mode.carbody bouncy.frequency: mode \"carbody bouncy\" is unknown; did you mean "
-            "\"carbody bounce\"? (in the vehicle as it stands; designs without that mode fail)");
 }
 
 TEST(StudyEvaluator, WhatIsWrongWithTheStudyIsToldBeforeAnyDesign) {

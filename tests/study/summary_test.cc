@@ -13,6 +13,7 @@
 
 #include "libvehicle/study/runner.h"
 #include "libvehicle/study/search/search_study.h"
+#include "libvehicle/study/study_warnings.h"
 #include "tests/study/studies.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/tolerance.h"
@@ -45,7 +46,8 @@ struct Filled {
     for (std::uint64_t design = 0; design < plan.size(); ++design) {
       const Values parameters = test::valuesOf(plan, design);
       if (const std::optional<Values> row = metrics_of(design, parameters)) {
-        batch.add(design, parameters, *row);
+        const bool lacks = std::any_of(row->begin(), row->end(), [](double each) { return std::isnan(each); });
+        batch.add(design, parameters, *row, lacks ? "carbody.az.rms @ 60 km/h: lost" : "");
         metrics[design] = *row;
       } else {
         batch.addFailed(design, parameters, "failed of " + plan.nameOf(design));
@@ -152,6 +154,47 @@ TEST(StudySummary, TheFrontIsWhatNothingWithinTheLimitsDominates) {
   EXPECT_EQ(idsOf(filled.summary.front), front);
 }
 
+// Every third design lacks the acceleration at 60 km/h, every fourth the static deflection that has a limit.
+TEST(StudySummary, DesignsThatLackAValueAreCountedAndNeverBestOfIt) {
+  const Filled filled(crossed(), [](std::uint64_t design, const Values& parameters) {
+    std::optional<Values> row = scattered(design, parameters);
+    if (row && design % 3 == 0) (*row)[0] = std::nan("");
+    if (row && design % 4 == 1) (*row)[4] = std::nan("");
+    return row;
+  });
+  std::uint64_t lacking = 0;
+  std::vector<Scored> within;
+  for (const auto& [id, row] : filled.metrics) {
+    lacking += std::isnan(row[0]) || std::isnan(row[4]) ? 1 : 0;
+    if (row[4] <= 0.1) within.push_back({std::max(row[0], row[1]), (row[2] + row[3]) / 2.0, id});
+  }
+  EXPECT_EQ(filled.summary.incomplete, lacking);
+  EXPECT_EQ(filled.summary.within_limits, within.size());
+  ASSERT_EQ(filled.summary.missing.size(), 1u);
+  EXPECT_EQ(filled.summary.missing[0].metrics, "carbody.az.rms @ 60 km/h");
+  EXPECT_EQ(filled.summary.missing[0].reason, "lost");
+  EXPECT_EQ(filled.summary.missing[0].designs, lacking);
+  for (const JudgedDesign& each : filled.summary.best[0]) EXPECT_NE(each.id % 3, 0u);
+  for (const JudgedDesign& each : filled.summary.front) EXPECT_NE(each.id % 3, 0u);
+  // The other objective has a value in all of them.
+  std::sort(within.begin(), within.end(), [](const Scored& a, const Scored& b) { return a.deflection > b.deflection; });
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(filled.summary.best[1].at(i).id, within[i].id);
+  // Points crossed with base are the ids 2 .. 13; 4 and 13 failed.
+  EXPECT_EQ(filled.summary.influences[0].designs, 6u);
+  EXPECT_EQ(filled.summary.influences[0].left_out, 6u);  // 3, 6, 9, 12 besides
+  EXPECT_EQ(filled.summary.influences[1].left_out, 2u);
+}
+
+TEST(StudySummary, SaysInWhichCaseTheWorstValueStands) {
+  const Filled filled(crossed(), scattered);
+  for (const JudgedDesign& each : filled.summary.compared) {
+    if (each.failed()) continue;
+    ASSERT_EQ(each.worst.size(), 2u);
+    EXPECT_EQ(each.worst[0], each.metrics[0] >= each.metrics[1] ? 0u : 1u);
+    EXPECT_EQ(each.worst[1], std::nullopt);  // a mean has no worst case
+  }
+}
+
 TEST(StudySummary, EqualDesignsStandInTheOrderOfTheirNumbersAndThereAreNoMoreThanAskedFor) {
   SummaryChoice choice;
   choice.best = 3;
@@ -246,6 +289,57 @@ TEST(StudySummary, SaltelliIndicesOfASumAreItsSharesAndABlockWithAFailureIsLeftO
   EXPECT_WITHIN(result.indices[1].first.value, 0.2, 5e-3);
   EXPECT_WITHIN(result.indices[0].total.value, 0.8, 5e-3);
   EXPECT_WITHIN(result.indices[1].total.value, 0.2, 5e-3);
+}
+
+TEST(StudySummary, ASaltelliPlanOfSecondOrderHasPairs) {
+  Study study = test::studyOf({test::range("carbody.mass", "1 t", "2 t"), test::range("front_bogie.mass", "1 t", "2 t"),
+                               test::range("rear_bogie.mass", "1 t", "2 t")},
+                              PlanKind::kSaltelli, 256);
+  study.plan->second_order = SecondOrder::kYes;
+  // Of two uniform factors x, y about their means u, v the product has the variance of v x, u y and of x y alone.
+  const Filled filled(study, [](std::uint64_t, const Values& p) { return Values{p[0] * p[1] * 1e-6}; });
+  const SensitivityResult& result = filled.summary.influences.at(0).indices;
+  const double mean = 1.5, variance = 1.0 / 12.0;
+  const double whole = 2.0 * mean * mean * variance + variance * variance;
+  ASSERT_EQ(result.pairs.size(), 3u);
+  EXPECT_WITHIN(result.pairs[0].second.value, variance * variance / whole, 4e-3);  // 1/256 of the sequence is its error
+  EXPECT_WITHIN(result.pairs[1].second.value, 0.0, 4e-3);
+  EXPECT_WITHIN(result.pairs[2].second.value, 0.0, 4e-3);
+  EXPECT_TRUE(warningsAfter(filled.inputs, filled.summary).empty());
+  EXPECT_TRUE(warningsBefore(filled.inputs).empty());
+}
+
+TEST(StudyWarnings, ASizeThatIsNoPowerOfTwoIsDoubtful) {
+  Study study = test::studyOf({test::range("carbody.mass", "1 t", "2 t")}, PlanKind::kSaltelli, 1000);
+  study.plan->origin.file = "study.xml";
+  study.plan->origin.line = 4;
+  const Filled filled(study, [](std::uint64_t, const Values& p) { return Values{p[0]}; });
+  const Warnings warnings = warningsBefore(filled.inputs);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].text(),
+            "study.xml:4: warning: <study><plan>: size=\"1000\" is no power of two: the points of the plan are not "
+            "balanced, its indices converge more slowly; take 512 or 1024 [SAMPLE_SIZE]");
+  Study sobol = study;
+  sobol.plan->kind = PlanKind::kSobol;
+  EXPECT_TRUE(
+      warningsBefore(Filled(sobol, [](std::uint64_t, const Values& p) { return Values{p[0]}; }).inputs).empty());
+}
+
+TEST(StudyWarnings, AnOutputWithoutIndicesIsNamedWithTheReason) {
+  Study study = test::studyOf({test::range("carbody.mass", "1 t", "2 t")}, PlanKind::kSaltelli, 8);
+  study.metrics = {{"carbody.az.rms", {}}, {"carbody.z.rms", {}}, {"carbody.z.peak", {}}};
+  const Filled filled(study, [](std::uint64_t design, const Values& p) {
+    return Values{p[0], 0.25, design % 3 == 1 ? std::nan("") : p[0]};  // one of each block
+  });
+  const Warnings warnings = warningsAfter(filled.inputs, filled.summary);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].text(),
+            "warning: carbody.z.rms: no sensitivity index can be given: it is 0.25 in every design; "
+            "vary what it depends on, or leave it out [NO_INDEX]");
+  EXPECT_EQ(
+      warnings[1].text(),
+      "warning: carbody.z.peak: no sensitivity index can be given: designs without a value break 8 of 8 blocks of "
+      "the plan, two must be whole; vary less, so that every design has a value [NO_INDEX]");
 }
 
 TEST(StudySummary, DesignsOfASearchAreCalledByTheirGeneration) {

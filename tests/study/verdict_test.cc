@@ -1,5 +1,7 @@
 #include "libvehicle/study/compare/verdict.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/study/studies.h"
@@ -35,6 +37,29 @@ TEST(Verdict, ALimitIsOversteppedByItsWorstSpeed) {
   EXPECT_EQ(verdict.violations(above), (Values{0.25, 1e3}));
   EXPECT_FALSE(verdict.keepsLimits(above));
   EXPECT_FALSE(verdict.keepsLimits(Values{0.2, 0.05, 0.0, 0.0, 0.0}));
+}
+
+// A value that is missing makes its objective missing and its limit not kept, and no other.
+TEST(Verdict, WhatIsMissingIsNeitherGoodNorWithinALimit) {
+  const Verdict verdict(twoSpeeds());
+  const double none = std::nan("");
+  const Values row = {none, 0.4, -0.02, -0.01, 90e3};
+  const Values objectives = verdict.objectives(row);
+  EXPECT_TRUE(std::isnan(objectives[0]));
+  EXPECT_EQ(objectives[1], -0.02);
+  EXPECT_EQ(verdict.violations(row), (Values{INFINITY, 0.0}));
+  EXPECT_FALSE(verdict.keepsLimits(row));
+  EXPECT_TRUE(std::isnan(verdict.objectives(Values{0.3, 0.4, -0.02, -0.01, none})[2]));  // of a mean
+}
+
+TEST(Verdict, NamesTheColumnOfTheWorstCase) {
+  const BoundStudy study = twoSpeeds();
+  const Verdict verdict(study);
+  const Values row = {0.3, 0.4, -0.02, -0.01, 90e3};
+  EXPECT_EQ(verdict.worstColumn(study.objectives[0], row), 1u);
+  EXPECT_EQ(verdict.worstColumn(study.objectives[1], row), 2u);
+  EXPECT_EQ(verdict.worstColumn(study.objectives[0], Values{0.4, 0.4, 0.0, 0.0, 0.0}), 0u);  // equal: the first
+  EXPECT_EQ(verdict.worstColumn(study.objectives[0], Values{std::nan(""), 0.4, 0.0, 0.0, 0.0}), std::nullopt);
 }
 
 }  // namespace

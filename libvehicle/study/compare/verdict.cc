@@ -1,6 +1,8 @@
 #include "libvehicle/study/compare/verdict.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vehicle {
 
@@ -14,15 +16,28 @@ std::vector<double> Verdict::objectives(std::span<const double> metrics) const {
   std::vector<double> values;
   for (const BoundObjective& objective : objectives_) {
     const std::vector<std::size_t>& columns = columns_[objective.metric];
-    double value = metrics[columns.front()];
     double sum = 0.0;
-    for (const std::size_t column : columns) {
-      sum += metrics[column];
-      value = objective.goal == Goal::kMinimise ? std::max(value, metrics[column]) : std::min(value, metrics[column]);
+    for (const std::size_t column : columns) sum += metrics[column];  // NaN where any of them is missing
+    if (objective.over == Over::kMean) {
+      values.push_back(sum / static_cast<double>(columns.size()));
+    } else {
+      values.push_back(std::isnan(sum) ? sum : metrics[*worstColumn(objective, metrics)]);
     }
-    values.push_back(objective.over == Over::kMean ? sum / static_cast<double>(columns.size()) : value);
   }
   return values;
+}
+
+std::optional<std::size_t> Verdict::worstColumn(const BoundObjective& objective,
+                                                std::span<const double> metrics) const {
+  std::optional<std::size_t> worst;
+  for (const std::size_t column : columns_[objective.metric]) {
+    const double value = metrics[column];
+    if (std::isnan(value)) return std::nullopt;
+    const bool worse =
+        !worst || (objective.goal == Goal::kMinimise ? value > metrics[*worst] : value < metrics[*worst]);
+    if (worse) worst = column;
+  }
+  return worst;
 }
 
 std::vector<double> Verdict::toMinimise(std::span<const double> metrics) const {
@@ -38,6 +53,7 @@ std::vector<double> Verdict::violations(std::span<const double> metrics) const {
   for (const BoundLimit& limit : limits_) {
     double worst = 0.0;
     for (const std::size_t column : columns_[limit.metric]) {
+      if (std::isnan(metrics[column])) worst = std::numeric_limits<double>::infinity();
       if (limit.below) worst = std::max(worst, metrics[column] - *limit.below);
       if (limit.above) worst = std::max(worst, *limit.above - metrics[column]);
     }

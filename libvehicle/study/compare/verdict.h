@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,14 +17,19 @@ class Verdict {
  public:
   explicit Verdict(const BoundStudy& study);
 
-  /// One value an objective, in its own sense: a maximised one is not negated.
-  /// @param metrics  shape (metricColumns), of a design that is done
+  /// One value an objective, in its own sense: a maximised one is not negated. NaN where a value of it is missing.
+  /// @param metrics  shape (metricColumns), of a design that is done; NaN where there is no value
   [[nodiscard]] std::vector<double> objectives(std::span<const double> metrics) const;
   /// The same with maximised ones negated, as pareto.h wants them.
   [[nodiscard]] std::vector<double> toMinimise(std::span<const double> metrics) const;
 
-  /// How far each limit is overstepped at its worst case, in the metric's unit [SI]; 0 where it is kept. Shape
-  /// (limits).
+  /// The column in which the worst value of an objective stands, the first of equal ones; nothing where a value of it
+  /// is missing.
+  [[nodiscard]] std::optional<std::size_t> worstColumn(const BoundObjective& objective,
+                                                       std::span<const double> metrics) const;
+
+  /// How far each limit is overstepped at its worst case, in the metric's unit [SI]; 0 where it is kept, infinite where
+  /// a value is missing: nobody knows that it is kept. Shape (limits).
   [[nodiscard]] std::vector<double> violations(std::span<const double> metrics) const;
   [[nodiscard]] bool keepsLimits(std::span<const double> metrics) const;
 

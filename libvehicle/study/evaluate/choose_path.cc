@@ -60,6 +60,13 @@ std::vector<ColumnRequest> requestsOf(const BoundStudy& bound, std::size_t study
   return requests;
 }
 
+void leaveEmpty(const std::vector<ColumnRequest>& requests, std::size_t design, const std::string& why,
+                DesignRows& rows) {
+  for (const ColumnRequest& request : requests) {
+    for (const MetricPlace& entry : request.entries) rows.leaveEmpty(design, entry.place, why);
+  }
+}
+
 std::string inCase(const StudyCase& study_case) { return study_case.label.empty() ? "" : " at " + study_case.label; }
 
 Scenario steadyScenario(Scenario scenario) {

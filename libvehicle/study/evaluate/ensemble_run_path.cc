@@ -175,7 +175,7 @@ class EnsembleRunPath final : public Path {
           try {
             rows.metric(row, entry.place) = statistic_(entry.metric, values_, step);
           } catch (const std::domain_error& error) {
-            rows.fail(row, error.what());
+            rows.leaveEmpty(row, entry.place, error.what());
           }
         }
       }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vehicle {
@@ -28,25 +29,48 @@ struct DesignFailure {
   bool operator==(const DesignFailure&) const = default;
 };
 
+/// Why some values of a design are missing; the others stand.
+struct DesignGap {
+  std::int64_t design = 0;
+  std::string message;  // gapMessage()
+  bool operator==(const DesignGap&) const = default;
+};
+
+/// A design of a batch.
+struct EvaluatedDesign {
+  std::int64_t design = 0;
+  std::span<double> row;     // (columns); NaN where there is no value
+  bool failed = false;       // nothing of the row but its parameters counts
+  std::string_view message;  // why it failed, or why values are missing; else empty
+};
+
 /// Results of a range. Storage is kept from batch to batch.
 struct Batch {
   DesignSpan range;
   std::vector<double> values;           // (designs x columns), row-major; NaN where there is none
   std::vector<DesignFailure> failures;  // ascending
+  std::vector<DesignGap> gaps;          // ascending, of designs that did not fail
 
-  /// Empties it for a new range: all values NaN, no failures.
+  /// Empties it for a new range: all values NaN, no failures, no gaps.
   void reset(DesignSpan designs, std::size_t columns);
   /// Row of a design of the range.
   [[nodiscard]] std::span<double> row(std::int64_t design, std::size_t columns) {
     return {values.data() + static_cast<std::size_t>(design - range.first) * columns, columns};
   }
-  /// Calls visit(design, row, failure) for each design in order; failure is null where there is none.
+  /// Calls visit(const EvaluatedDesign&) for each design in order.
   template <class Visit>
   void forEach(std::size_t columns, Visit visit) {
     auto failure = failures.begin();
+    auto gap = gaps.begin();
     for (std::int64_t design = range.first; design < range.end; ++design) {
-      const bool failed = failure != failures.end() && failure->design == design;
-      visit(design, row(design, columns), failed ? &*failure++ : nullptr);
+      EvaluatedDesign each{design, row(design, columns), false, {}};
+      if (failure != failures.end() && failure->design == design) {
+        each.failed = true;
+        each.message = (failure++)->message;
+      } else if (gap != gaps.end() && gap->design == design) {
+        each.message = (gap++)->message;
+      }
+      visit(each);
     }
   }
 };
@@ -64,8 +88,8 @@ class Worker {
  public:
   virtual ~Worker() = default;
 
-  /// Fills batch.values and batch.failures for the task's designs; the batch comes reset. What is wrong with one
-  /// design becomes its failure.
+  /// Fills batch.values, failures and gaps for the task's designs; the batch comes reset. What is wrong with one design
+  /// becomes its failure; a value that it cannot have stays NaN and its reason becomes a gap.
   /// @throws whatever ends the whole study (memory, a mistake of ours)
   virtual void evaluate(const Task& task, Batch& batch) = 0;
 };

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -22,6 +24,7 @@ class DesignRows {
         parameters_(parameters),
         metrics_(metrics),
         problems_(static_cast<std::size_t>(batch.range.size())),
+        missing_(problems_.size()),
         warnings_(problems_.size()) {}
 
   [[nodiscard]] std::size_t size() const { return problems_.size(); }
@@ -29,7 +32,15 @@ class DesignRows {
   [[nodiscard]] double& metric(std::size_t design, std::size_t metric) { return row(design)[parameters_ + metric]; }
   [[nodiscard]] std::span<double> metrics(std::size_t design) { return row(design).subspan(parameters_); }
 
-  /// The first thing that went wrong with a design is the one that is told.
+  /// The design has no value of this metric, and why; the others stand. The first reason counts.
+  void leaveEmpty(std::size_t design, std::size_t metric, std::string why) {
+    row(design)[parameters_ + metric] = std::numeric_limits<double>::quiet_NaN();
+    missing_[design].try_emplace(metric, std::move(why));
+  }
+  /// Reasons of the metrics that were left empty, by metric.
+  [[nodiscard]] const std::map<std::size_t, std::string>& missing(std::size_t design) const { return missing_[design]; }
+
+  /// The design has no value at all. The first reason counts.
   void fail(std::size_t design, std::string why) {
     if (problems_[design].empty()) problems_[design] = why.empty() ? "failed" : std::move(why);
   }
@@ -49,8 +60,9 @@ class DesignRows {
   Batch& batch_;
   std::size_t parameters_;
   std::size_t metrics_;
-  std::vector<std::string> problems_;  // (designs) empty where nothing is wrong
-  std::vector<std::set<WarningCode>> warnings_;  // (designs)
+  std::vector<std::string> problems_;                        // (designs) empty where nothing is wrong
+  std::vector<std::map<std::size_t, std::string>> missing_;  // (designs) metric, why it has no value
+  std::vector<std::set<WarningCode>> warnings_;              // (designs)
 };
 
 /// A metric and where its value goes.
@@ -68,11 +80,16 @@ struct ColumnRequest {
 /// What a case is asked for; every column once.
 [[nodiscard]] std::vector<ColumnRequest> requestsOf(const BoundStudy& bound, std::size_t study_case);
 
+/// Leaves all metrics of a case empty, for one reason.
+void leaveEmpty(const std::vector<ColumnRequest>& requests, std::size_t design, const std::string& why,
+                DesignRows& rows);
+
 /// One way to the metrics of result columns. One object a thread.
 class Path {
  public:
   virtual ~Path() = default;
-  /// Fills the metrics of columns, all cases; designs that are wrong are failed in the rows.
+  /// Fills the metrics of columns, all cases; designs that are wrong are failed in the rows, values that cannot be are
+  /// left empty there.
   virtual void evaluate(DesignRows& rows) = 0;
 };
 

@@ -40,8 +40,6 @@ class SinglePath : public Path {
           tell(c, row, error, rows);
         } catch (const std::invalid_argument& error) {
           tell(c, row, error, rows);
-        } catch (const std::domain_error& error) {
-          tell(c, row, error, rows);
         }
       }
     }
@@ -50,6 +48,16 @@ class SinglePath : public Path {
  protected:
   virtual void one(std::size_t study_case, std::size_t row, const Scenario& scenario, double speed,
                    DesignRows& rows) = 0;
+
+  /// Writes what `value` returns; where the statistic cannot be given, that metric alone stays empty.
+  template <class Value>
+  static void write(const MetricPlace& entry, std::size_t row, DesignRows& rows, Value value) {
+    try {
+      rows.metric(row, entry.place) = value();
+    } catch (const std::domain_error& error) {
+      rows.leaveEmpty(row, entry.place, error.what());
+    }
+  }
 
   [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
   [[nodiscard]] const StudyInputs& inputs() const { return inputs_; }
@@ -102,10 +110,11 @@ class SingleRunPath final : public SinglePath {
       const std::vector<double> samples =
           needs_samples ? countedSamples(result.history, column, choice.settle) : std::vector<double>();
       for (const MetricPlace& entry : request.entries) {
-        rows.metric(row, entry.place) =
-            comesFromSummary(entry.metric.statistic)
-                ? fromSummary(entry.metric.statistic, result.summaries[column - 1])
-                : statistic_(entry.metric, samples, result.history.at(1, 0) - result.history.at(0, 0));
+        write(entry, row, rows, [&] {
+          return comesFromSummary(entry.metric.statistic)
+                     ? fromSummary(entry.metric.statistic, result.summaries[column - 1])
+                     : statistic_(entry.metric, samples, result.history.at(1, 0) - result.history.at(0, 0));
+        });
       }
     }
   }
@@ -125,7 +134,11 @@ class SteadySinglePath final : public SinglePath {
     const std::unique_ptr<System> form = buildForm("matrix", vehicle(), scenario.gravity);
     const Input input = inputOf(steadyScenario(scenario), topologyOf(vehicle()), speed);
     const InputSegment& rail = input.segment(0);
-    answer(*form, rail);
+    try {
+      answer(*form, rail);
+    } catch (const std::invalid_argument& error) {  // nothing damps what this rail excites; other speeds may do
+      return leaveEmpty(requests(study_case), row, error.what(), rows);
+    }
     SteadyStatistic& statistic = statistics_.of(rail.angular_frequency);
     const std::size_t harmonics = rail.angular_frequency.size();
     for (const ColumnRequest& request : requests(study_case)) {
@@ -135,7 +148,7 @@ class SteadySinglePath final : public SinglePath {
       const auto column = static_cast<std::size_t>(found - columns.begin());  // bindStudy() knows it
       for (std::size_t f = 0; f < harmonics; ++f) harmonic_[f] = amplitudes_[f][column];
       for (const MetricPlace& entry : request.entries) {
-        rows.metric(row, entry.place) = statistic(entry.metric, mean_[column], harmonic_);
+        write(entry, row, rows, [&] { return statistic(entry.metric, mean_[column], harmonic_); });
       }
     }
   }

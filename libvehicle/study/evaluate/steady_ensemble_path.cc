@@ -60,7 +60,7 @@ class SteadyEnsemblePath final : public Path {
       const SteadyResult result = steadyEnsemble(block_.designs(group), rails, run_);
       const std::size_t designs = block_.alive().size();
       for (const SteadyFailure& each : result.failures) {
-        fail(cases[static_cast<std::size_t>(each.rail)], static_cast<std::size_t>(each.design), rows);
+        leaveCaseEmpty(cases[static_cast<std::size_t>(each.rail)], static_cast<std::size_t>(each.design), rows);
       }
       for (std::size_t r = 0; r < cases.size(); ++r) {
         for (std::size_t i = 0; i < designs; ++i) {
@@ -82,7 +82,7 @@ class SteadyEnsemblePath final : public Path {
         try {
           evaluateSome(study_case, i, 1, rows);
         } catch (const std::invalid_argument& error) {
-          rows.fail(block_.alive()[i], error.what());
+          leaveEmpty(requests_[study_case], block_.alive()[i], error.what(), rows);
         }
       }
     }
@@ -94,7 +94,7 @@ class SteadyEnsemblePath final : public Path {
     const std::vector<EnsembleDesign>& all = block_.designs(block_.groupOf(study_case));
     const SteadyResult result = steadyEnsembleEach(std::span(all).subspan(first, count), rails, run_);
     for (const SteadyFailure& each : result.failures) {
-      fail(study_case, first + static_cast<std::size_t>(each.design), rows);
+      leaveCaseEmpty(study_case, first + static_cast<std::size_t>(each.design), rows);
     }
     for (std::size_t i = 0; i < count; ++i) {
       const Answer answer{result.summaries.data() + i * run_.columns.size(), amplitudesOf(result, 0, i, *rails[i]),
@@ -103,9 +103,9 @@ class SteadyEnsemblePath final : public Path {
     }
   }
 
-  void fail(std::size_t study_case, std::size_t place, DesignRows& rows) const {
-    rows.fail(block_.alive()[place], "has no steady state" + inCase(inputs_.bound.cases[study_case]) +
-                                         ": a harmonic meets an undamped mode, or nothing holds a motion");
+  void leaveCaseEmpty(std::size_t study_case, std::size_t place, DesignRows& rows) const {
+    leaveEmpty(requests_[study_case], block_.alive()[place],
+               "no steady state: a harmonic meets an undamped mode, or nothing holds a motion", rows);
   }
 
   /// What came out for one design on one rail.
@@ -127,6 +127,7 @@ class SteadyEnsemblePath final : public Path {
     const std::size_t harmonics = answer.rail.angular_frequency.size();
     for (std::size_t k = 0; k < run_.columns.size(); ++k) {
       for (const MetricPlace& entry : requests_[study_case][k].entries) {
+        if (rows.missing(row).contains(entry.place)) continue;  // its numbers are NaN, which must not reach a sort
         double& value = rows.metric(row, entry.place);
         if (comesFromSummary(entry.metric.statistic)) {
           value = fromSummary(entry.metric.statistic, answer.summaries[k]);
@@ -136,8 +137,7 @@ class SteadyEnsemblePath final : public Path {
           value = statistics_.of(answer.rail.angular_frequency)(entry.metric, answer.summaries[k].mean,
                                                                 {answer.amplitudes + k * harmonics, harmonics});
         } catch (const std::domain_error& error) {
-          rows.fail(row, error.what());
-          return;
+          rows.leaveEmpty(row, entry.place, error.what());
         }
       }
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libvehicle/study/evaluate/flat_designs.h"
+#include "libvehicle/study/evaluate/gap_message.h"
 #include "libvehicle/study/evaluate/rest_and_modes.h"
 
 namespace vehicle {
@@ -29,13 +30,13 @@ std::int64_t batchOf(const StudyInputs& inputs, PathChoice::Kind kind) {
 
 class StudyWorker final : public Worker {
  public:
-  StudyWorker(const StudyInputs& inputs, const DesignValues& values, PathChoice::Kind kind, std::size_t parameters,
-              std::vector<MetricColumn> columns)
+  StudyWorker(const StudyInputs& inputs, const DesignValues& values, PathChoice::Kind kind)
       : values_(values),
-        parameters_(parameters),
-        columns_(std::move(columns)),
+        parameters_(inputs.bound.parameters.size()),
         path_(makePath(inputs, kind)),
-        rest_and_modes_(inputs) {}
+        rest_and_modes_(inputs) {
+    for (MetricColumn& each : metricColumns(inputs.bound)) columns_.push_back(std::move(each.channel));
+  }
 
   void evaluate(const Task& task, Batch& batch) override {
     DesignRows rows(batch, parameters_, columns_.size());
@@ -57,17 +58,20 @@ class StudyWorker final : public Worker {
  private:
   void finish(std::int64_t design, std::size_t row, DesignRows& rows, Batch& batch) const {
     const std::span<double> metrics = rows.metrics(row);
-    for (std::size_t m = 0; m < metrics.size() && !rows.failed(row); ++m) {
-      if (!std::isfinite(metrics[m])) rows.fail(row, columns_[m].channel.name + " is not finite");
+    if (rows.failed(row)) {
+      std::fill(metrics.begin(), metrics.end(), std::numeric_limits<double>::quiet_NaN());
+      batch.failures.push_back({design, rows.problem(row)});
+      return;
     }
-    if (!rows.failed(row)) return;
-    std::fill(metrics.begin(), metrics.end(), std::numeric_limits<double>::quiet_NaN());
-    batch.failures.push_back({design, rows.problem(row)});
+    for (std::size_t m = 0; m < metrics.size(); ++m) {
+      if (!std::isfinite(metrics[m])) rows.leaveEmpty(row, m, "is not finite");
+    }
+    if (!rows.missing(row).empty()) batch.gaps.push_back({design, gapMessage(columns_, rows.missing(row))});
   }
 
   const DesignValues& values_;
   std::size_t parameters_;
-  std::vector<MetricColumn> columns_;
+  std::vector<Channel> columns_;  // (metrics)
   std::unique_ptr<Path> path_;
   RestAndModes rest_and_modes_;
 };
@@ -91,7 +95,7 @@ StudyEvaluator::StudyEvaluator(const StudyInputs& inputs, DesignValues values)
 }
 
 std::unique_ptr<Worker> StudyEvaluator::worker() const {
-  return std::make_unique<StudyWorker>(inputs_, values_, path_.kind, parameters_, metricColumns(inputs_.bound));
+  return std::make_unique<StudyWorker>(inputs_, values_, path_.kind);
 }
 
 }  // namespace vehicle

@@ -19,8 +19,9 @@ using DesignValues = std::function<void(std::int64_t design, std::span<double> v
 /// metricColumns().
 ///
 /// The path is chosen once for the whole study, by what it asks for (choosePath()); path().text says which and why.
-/// A design that cannot be (check() of its vehicle or scenarios), that moves beyond all bounds, or that lacks a metric
-/// (a mode of that name, a statistic that is not finite) is that design's failure.
+/// A design that cannot be (check() of its vehicle or scenarios) or that moves beyond all bounds is that design's
+/// failure. A metric that has no value (a mode that does not oscillate, a band without a line, a number that is not
+/// finite) is NaN with its reason among the batch's gaps; the design's other metrics stand.
 class StudyEvaluator : public Evaluator {
  public:
   /// @param inputs  outlives the evaluator

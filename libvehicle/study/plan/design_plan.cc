@@ -36,6 +36,10 @@ void checkSearched(const DesignPlan& plan, const Search& search, ProblemList& pr
 
 }  // namespace
 
+std::size_t saltelliMembers(std::size_t factors, SecondOrder order) {
+  return order == SecondOrder::kYes ? 2 * factors + 2 : factors + 2;
+}
+
 Outcome<DesignPlan> DesignPlan::of(const Study& study, BoundStudy bound, DesignList list) {
   Outcome<DesignPlan> outcome;
   DesignPlan made;
@@ -94,10 +98,11 @@ bool DesignPlan::takeSequence(const Plan& plan, const Place& place, ProblemList&
                              saltelli ? ", saltelli takes two a parameter" : ""));
     return false;
   }
-  points_ = static_cast<std::uint64_t>(plan.size.value_or(0)) * (saltelli ? factors + 2 : 1);
+  const std::uint64_t members = saltelli ? saltelliMembers(factors, plan.second_order) : 1;
+  points_ = static_cast<std::uint64_t>(plan.size.value_or(0)) * members;
   SobolSequence sequence(dimensions, static_cast<std::uint64_t>(plan.seed.value_or(kPlanSeed)));
   if (saltelli) {
-    plan_ = Saltelli{std::move(sequence)};
+    plan_ = Saltelli{std::move(sequence), members};
   } else {
     plan_ = std::move(sequence);
   }
@@ -111,7 +116,7 @@ std::uint64_t DesignPlan::size() const {
 
 DesignIdentity DesignPlan::identityOf(std::uint64_t design) const {
   if (design >= size()) {
-    throw std::invalid_argument(fmt::format("DesignPlan: design {} of a study of {}", design, size()));
+    throw std::invalid_argument(fmt::format("DesignPlan: number {} of a study of {} designs", design, size()));
   }
   const std::uint64_t named = study_.designs.size();
   if (design < named) return {static_cast<std::size_t>(design), std::nullopt};
@@ -169,11 +174,16 @@ void DesignPlan::setPoint(std::uint64_t point, std::span<double> values) const {
   } else if (const auto* sequence = std::get_if<SobolSequence>(&plan_)) {
     sequence->point(point, unit);
   } else {
-    // Block A is the first half of the coordinates, B the second; AB_i is A with coordinate i of B.
-    const std::uint64_t member = point % (factors + 2);
+    // A is the first half of the coordinates, B the second; AB_i is A with coordinate i of B, BA_i B with that of A.
+    const auto& saltelli = std::get<Saltelli>(plan_);
+    const std::uint64_t member = point % saltelli.members;
     std::vector<double> both(2 * factors);
-    std::get<Saltelli>(plan_).sequence.point(point / (factors + 2), both);
-    for (std::size_t i = 0; i < factors; ++i) unit[i] = both[member == 1 || member == i + 2 ? factors + i : i];
+    saltelli.sequence.point(point / saltelli.members, both);
+    const bool mostly_b = member == 1 || member >= factors + 2;
+    for (std::size_t i = 0; i < factors; ++i) {
+      const bool exchanged = member == i + 2 || member == factors + i + 2;
+      unit[i] = both[mostly_b != exchanged ? factors + i : i];
+    }
   }
   for (std::size_t i = 0; i < factors; ++i) setFactor(i, valueAt(study_.factors[i], unit[i]), values);
 }

@@ -23,13 +23,16 @@ struct DesignIdentity {
   std::optional<std::uint64_t> point;  // nothing: the named design as it is
 };
 
+/// Points of a block of a Saltelli plan.
+[[nodiscard]] std::size_t saltelliMembers(std::size_t factors, SecondOrder order);
+
 /// Every design of a study by its number: the parameter values follow from the study and the number alone, and no list
 /// of designs is kept (but for a CSV list), so any thread or rank may begin anywhere.
 ///
 /// Numbers: 0 is "base", the vehicle as its file says it; 1 .. K are the named designs as they are. If anything is
 /// varied, the plan's N points follow for "base", then for each named design:  1 + K + named * N + point.
-/// In a grid the last <vary> runs fastest. A Saltelli plan has N = size * (factors + 2) points in blocks
-/// A, B, AB_1 .. AB_d (sensitivity.h). A search has no points: it makes its own.
+/// In a grid the last <vary> runs fastest. A Saltelli plan has its points in blocks A, B, AB_1 .. AB_d, with second
+/// order followed by BA_1 .. BA_d (sensitivity.h). A search has no points: it makes its own.
 class DesignPlan {
  public:
   /// @param study   in order by check()
@@ -67,7 +70,8 @@ class DesignPlan {
 
   struct Grid {};
   struct Saltelli {
-    SobolSequence sequence;  // 2 x factors dimensions
+    SobolSequence sequence;     // 2 x factors dimensions
+    std::uint64_t members = 0;  // points of a block
   };
   BoundStudy study_;
   std::uint64_t points_ = 0;

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 struct Known {
   std::vector<double> parameters;
   std::vector<double> objectives;  // to minimise; empty: it has no results
-  double violation = 0.0;          // relative, over all limits
+  double violation = 0.0;          // relative, over all limits; infinite where a value is missing
 };
 
 class StudySearch {
@@ -125,20 +125,14 @@ class StudySearch {
 
   void take(Batch& batch, DesignBatch& finished) {
     const std::size_t parameters = bound_.parameters.size();
-    batch.forEach(evaluator_.columns(),
-                  [&](std::int64_t design, std::span<const double> row, const DesignFailure* failure) {
-                    const auto id = static_cast<std::uint64_t>(design);
-                    std::span<const double> metrics;
-                    if (failure != nullptr) {
-                      finished.addFailed(id, row.first(parameters), failure->message);
-                      ++outcome_.progress.failed;
-                    } else {
-                      metrics = row.subspan(parameters);
-                      finished.add(id, row.first(parameters), metrics);
-                    }
-                    known_.emplace(id, know(row.first(parameters), metrics));
-                    ++outcome_.progress.evaluated;
-                  });
+    batch.forEach(evaluator_.columns(), [&](const EvaluatedDesign& each) {
+      add(each, finished);
+      std::span<const double> metrics;
+      if (!each.failed) metrics = each.row.subspan(parameters);
+      known_.emplace(static_cast<std::uint64_t>(each.design), know(each.row.first(parameters), metrics));
+      outcome_.progress.failed += each.failed ? 1 : 0;
+      ++outcome_.progress.evaluated;
+    });
   }
 
   /// @param metrics  empty for a design that failed
@@ -146,6 +140,10 @@ class StudySearch {
     Known known{{parameters.begin(), parameters.end()}, {}, std::numeric_limits<double>::infinity()};
     if (metrics.empty()) return known;
     known.objectives = verdict_.toMinimise(metrics);
+    // A design that lacks an objective is worse than all that have it, as one that failed.
+    if (!std::all_of(known.objectives.begin(), known.objectives.end(), [](double x) { return std::isfinite(x); })) {
+      return known;
+    }
     known.violation = 0.0;
     const std::vector<double> overstepped = verdict_.violations(metrics);
     for (std::size_t i = 0; i < overstepped.size(); ++i) {
@@ -158,7 +156,7 @@ class StudySearch {
 
   void requireSame(std::uint64_t id, std::span<const double> now, const std::vector<double>& stored) const {
     if (std::equal(now.begin(), now.end(), stored.begin(), stored.end())) return;
-    throw RunFailed("design " + std::to_string(id) +
+    throw RunFailed("design " + (id < plan_.size() ? plan_.nameOf(id) : numbers_.nameOf(id)) +
                     " of the database is not the one that this search comes to; it was "
                     "written with another version of the search library: start anew in another file");
   }

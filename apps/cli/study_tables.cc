@@ -76,6 +76,11 @@ class Tables {
       row.emplace_back(columns_.unitOf(column).name);
       for (const JudgedDesign& each : summary_.compared) row.emplace_back(columns_.textOf(column, each));
     }
+    if (!haveWarnings(summary_.compared)) return table;
+    Row& row = table.rows.emplace_back();
+    row.emplace_back("warnings");
+    row.emplace_back("");
+    for (const JudgedDesign& each : summary_.compared) row.emplace_back(each.warnings.words());
     return table;
   }
 
@@ -128,6 +133,8 @@ class Tables {
       table.columns.push_back({columns_.metrics()[column].channel.name, columns_.unitOf(column).name});
     }
     if (!formatted_) table.columns.push_back({"limits", ""});
+    const bool warned = !formatted_ || haveWarnings(list);
+    if (warned) table.columns.push_back({"warnings", ""});
     for (const JudgedDesign& each : list) {
       Row& row = table.rows.emplace_back();
       columns_.addHead(each, row);
@@ -145,8 +152,13 @@ class Tables {
         }
       }
       if (!formatted_) row.emplace_back(verdict);
+      if (warned) row.emplace_back(each.warnings.words());
     }
     return table;
+  }
+
+  static bool haveWarnings(const std::vector<JudgedDesign>& list) {
+    return std::any_of(list.begin(), list.end(), [](const JudgedDesign& each) { return !each.warnings.empty(); });
   }
 
   /// The value of an objective, and the case in which the worst of several stands.

@@ -108,6 +108,7 @@ Shown show(const StudyOptions& options, const std::string& path, const StudyWork
   if (summary.incomplete > 0) {
     document.facts.push_back({"with values missing", static_cast<long>(summary.incomplete), ""});
   }
+  if (summary.warned > 0) document.facts.push_back({"with warnings", static_cast<long>(summary.warned), ""});
   Document told = documentOf(summary, work.inputs, options.common.format);
   document.tables = std::move(told.tables);
   document.remarks.insert(document.remarks.end(), told.remarks.begin(), told.remarks.end());

@@ -32,6 +32,8 @@ std::vector<std::byte> packBatch(const Batch& batch) {
   message.putAll(std::span<const double>(batch.values));
   putNotes(batch.failures, message);
   putNotes(batch.gaps, message);
+  message.put<std::uint64_t>(batch.warnings.size());
+  message.putAll(std::span<const DesignWarnings>(batch.warnings));
   return message.take();
 }
 
@@ -45,6 +47,8 @@ void unpackBatch(std::span<const std::byte> bytes, std::size_t columns, Batch& b
   message.getAll(std::span<double>(batch.values));
   getNotes(message, batch.failures);
   getNotes(message, batch.gaps);
+  batch.warnings.resize(message.get<std::uint64_t>());
+  message.getAll(std::span<DesignWarnings>(batch.warnings));
 }
 
 std::vector<std::byte> packPortion(const Task& task) {

@@ -15,12 +15,17 @@ enum class SteadyPeaks {
              // amplitude of the highest order
 };
 enum class SteadyAmplitudes { kDropped, kKept };
+enum class SteadyExtents {
+  kNone,
+  kBounded,  // from the amplitudes: sqrt(F sum |X|^2) for F harmonics is never too small, and right for one
+};
 
 /// What is asked of a steady state.
 struct SteadyRun {
   std::vector<FlatColumn> columns;
   SteadyPeaks peaks = SteadyPeaks::kNone;
   SteadyAmplitudes amplitudes = SteadyAmplitudes::kDropped;
+  SteadyExtents extents = SteadyExtents::kNone;
   Isa isa = bestIsa();
 };
 
@@ -37,6 +42,7 @@ struct SteadyResult {
   /// Of each rail, where kept: complex amplitudes X of Re[X e^(i w (t - begin))], shape (designs x columns x harmonics
   /// of that rail), row-major.
   std::vector<std::vector<std::complex<double>>> amplitudes;
+  std::vector<DesignExtent> extents;    // (rails x designs) where asked for: bounds of them
   std::vector<SteadyFailure> failures;  // by rail, then by design
 };
 

@@ -15,8 +15,6 @@ namespace vehicle {
 
 namespace {
 
-constexpr double kMostDeflection = 0.5;  // [m]: the softest air springs come down by half of it
-constexpr double kLoadShare = 5e-3;      // of the weight: data sheets round to three digits
 // Below this share of the stiffest motion an eigenvalue of K is what rounding leaves of zero.
 constexpr double kZeroStiffness = 1e-11;
 
@@ -107,7 +105,7 @@ void addGivenLoads(const TopologyPart& part, const Rest& rest, double gravity, W
     if (wheelset.load && given == nullptr) given = &wheelset;
   }
   const double weight = mass * gravity;
-  if (given == nullptr || std::abs(load - weight) <= kLoadShare * weight) return;
+  if (given == nullptr || std::abs(load - weight) <= kMostLoadError * weight) return;
   Warning warning;
   warning.code = WarningCode::kGivenLoads;
   warning.place = given->origin;
@@ -126,7 +124,7 @@ void addRestDeflections(const Topology& topology, const Rest& rest, Warnings& wa
     const TopologySuspension& suspension = topology.suspensions[s];
     if (!(suspension.stiffness > 0.0)) continue;
     const double deflection = rest.suspension_load[s] / suspension.stiffness;
-    if (std::abs(deflection) <= kMostDeflection) continue;
+    if (std::abs(deflection) <= kMostRestDeflection) continue;
     Warning warning;
     warning.code = WarningCode::kRestDeflection;
     warning.place = suspension.origin;
@@ -135,7 +133,7 @@ void addRestDeflections(const Topology& topology, const Rest& rest, Warnings& wa
     warning.unit = "m";
     warning.message =
         fmt::format("comes down by {:.4g} mm at rest under {:.4g} kN; railway springs have less travel than {:g} mm",
-                    1e3 * deflection, rest.suspension_load[s] / 1e3, 1e3 * kMostDeflection);
+                    1e3 * deflection, rest.suspension_load[s] / 1e3, 1e3 * kMostRestDeflection);
     warning.remedy = "look at its stiffness and at the masses that it carries";
     warnings.push_back(std::move(warning));
   }

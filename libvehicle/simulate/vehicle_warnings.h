@@ -7,6 +7,9 @@
 
 namespace vehicle {
 
+inline constexpr double kMostRestDeflection = 0.5;  // [m]: the softest air springs come down by half of it
+inline constexpr double kMostLoadError = 5e-3;      // of the weight: data sheets round to three digits
+
 /// What is doubtful of a vehicle before it moves:
 ///     CANNOT_STAND     the stiffness about the loaded rest position, heights under static loads included, is negative in
 ///                      some motion (that of M^-1/2 K M^-1/2 with the lowest eigenvalue is named)

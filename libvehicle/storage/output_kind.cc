@@ -72,7 +72,8 @@ bool isOurs(const std::filesystem::path& path, OutputKind kind) {
     case OutputKind::kHistory:
       return endingOf(path) == ".h5" ? isHdf5Run(path) : beginsWithColumns(head, "time [s]");
     case OutputKind::kStudyTable:
-      return beginsWithColumns(head, "design,name,status") || beginsWithColumns(head, "design,status");
+      return beginsWithColumns(head, "id,design,status") || beginsWithColumns(head, "id,status") ||
+             beginsWithColumns(head, "design,name,status") || beginsWithColumns(head, "design,status");  // up to format 1
     case OutputKind::kDatabase:
       return isSqliteHead(head) && applicationOf(head) == kStudyApplication;
     case OutputKind::kVehicle:

@@ -70,6 +70,7 @@ class SqliteStatement {
     return sqlite3_column_double(handle_, column);
   }
   [[nodiscard]] std::string_view text(int column) const;
+  [[nodiscard]] int columns() const { return sqlite3_column_count(handle_); }
 
  private:
   void check(int code) const {

@@ -174,7 +174,7 @@ StudyDatabase StudyDatabase::forWriting(const fs::path& path, const std::string&
         kLogPages, kCacheKib));
     std::string insert = "INSERT INTO designs VALUES(?,?,?";
     for (std::size_t i = 0; i < open->record.parameters.size() + open->record.metrics.size(); ++i) insert += ",?";
-    open->insert = std::make_unique<SqliteStatement>(*open->connection, insert + ")");
+    open->insert = std::make_unique<SqliteStatement>(*open->connection, insert + ",?)");
   } catch (const SqliteError& error) {
     refuseReading(open->shown, error);
   }

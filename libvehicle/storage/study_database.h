@@ -15,10 +15,11 @@ namespace vehicle {
 ///
 /// Tables: `study` (format, program, designs), `input_files` (position, name, content), `columns` (what each column of
 /// `designs` is: role, name, unit) and `designs`, one row a design: id, status ("done" or "failed"), message, then a
-/// REAL column for every parameter and metric, named as in the study. Numbers are 8-byte SI values that read back to
+/// REAL column for every parameter and metric, named as in the study, and warnings ("WHEEL_LOAD LARGE_MOTION", NULL
+/// where the design has none). Numbers are 8-byte SI values that read back to
 /// the same bits, but -0 becomes 0. A design that is done may lack values: they are NULL, and its message says why; a
 /// failed design has no value at all and a message.
-/// SQLite holds 2000 columns, so parameters and metrics together may be 1997; a study of more is refused.
+/// SQLite holds 2000 columns, so parameters and metrics together may be 1996; a study of more is refused.
 ///
 /// A batch is one transaction in a write-ahead log: killed at any moment, the file reopens with whole batches only, and
 /// what append() has returned from survives the process. After a power cut the last batches may be missing, nothing
@@ -69,7 +70,7 @@ class StudyDatabase {
   /// The whole table as comma-separated text, one line a design in the order of ids, written atomically; every number
   /// is the shortest text that reads back to the same bits; a value that is missing is empty, and the message says why.
   ///
-  ///     id,design,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],message
+  ///     id,design,status,carbody.mass [kg],carbody.az.rms @ 80 km/h [m/s^2],warnings,message
   ///
   /// @param nameOf  what to call a design by its id; without it there is no column of names
   /// @throws RunFailed

@@ -36,7 +36,7 @@ void DesignBatch::addRow(std::uint64_t id, DesignStatus status, std::span<const 
         fmt::format("DesignBatch: id {} has {} parameters, must have {}", id, parameters.size(), parameters_));
   }
   values_.insert(values_.end(), parameters.begin(), parameters.end());
-  rows_.push_back({id, status, std::nullopt});
+  rows_.push_back({id, status, std::nullopt, {}});
 }
 
 void DesignBatch::setMessage(std::string message) {
@@ -45,7 +45,7 @@ void DesignBatch::setMessage(std::string message) {
 }
 
 void DesignBatch::add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics,
-                      std::string message) {
+                      std::string message, WarningSet warnings) {
   if (metrics.size() != metrics_) {
     throw std::invalid_argument(
         fmt::format("DesignBatch: id {} has {} metrics, must have {}", id, metrics.size(), metrics_));
@@ -55,6 +55,7 @@ void DesignBatch::add(std::uint64_t id, std::span<const double> parameters, std:
     throw std::invalid_argument(fmt::format("DesignBatch: id {} lacks a value without a message", id));
   }
   addRow(id, DesignStatus::kDone, parameters);
+  rows_.back().warnings = warnings;
   values_.insert(values_.end(), metrics.begin(), metrics.end());
   if (!message.empty()) setMessage(std::move(message));
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "libvehicle/diagnostics/warning_set.h"
 #include "libvehicle/storage/run_record.h"
 #include "libvehicle/units/channel.h"
 
@@ -24,8 +25,9 @@ struct StudyRecord {
   bool operator==(const StudyRecord&) const = default;
 };
 
-/// Most parameters and metrics of a study together: SQLite's 2000 columns less id, status and message.
-inline constexpr std::size_t kMostStudyValues = 1997;
+/// Most parameters and metrics of a study together: SQLite's 2000 columns less id, status, message
+/// and warnings.
+inline constexpr std::size_t kMostStudyValues = 1996;
 /// @throws InvalidInput  unless a row of the database holds all of them
 void requireRoom(const StudyRecord& record);
 
@@ -42,9 +44,10 @@ class DesignBatch {
   /// @param parameters  [SI], finite
   /// @param metrics     [SI], finite; NaN: there is no value
   /// @param message     why values are missing; not empty where one is
+  /// @param warnings    where the results left what the model can say
   /// @throws std::invalid_argument if there are not as many as the study has, or a value is missing without a message
   void add(std::uint64_t id, std::span<const double> parameters, std::span<const double> metrics,
-           std::string message = {});
+           std::string message = {}, WarningSet warnings = {});
   /// A design without metrics. @param message  why, not empty
   void addFailed(std::uint64_t id, std::span<const double> parameters, std::string message);
 
@@ -57,6 +60,7 @@ class DesignBatch {
     std::uint64_t id = 0;
     DesignStatus status = DesignStatus::kDone;
     std::optional<std::size_t> message;  // in messages()
+    WarningSet warnings;
   };
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   /// Shape (parameters + metrics); NaN where there is no value, as in all metrics of a failed design.
@@ -81,6 +85,7 @@ struct StoredDesign {
   std::string_view message;            // why it failed, or why values are missing; else empty
   std::span<const double> parameters;  // [SI]
   std::span<const double> metrics;     // [SI], NaN where there is no value; empty for a failed one
+  WarningSet warnings;                 // where its results left what the model can say
 };
 
 /// Designs first .. last, both included.

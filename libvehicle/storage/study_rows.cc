@@ -103,6 +103,13 @@ void StudyDatabase::append(const DesignBatch& batch) {
           insert.bind(place, values[i] + 0.0);  // -0 + 0 = 0: SQLite keeps no sign of zero, whoever asks it
         }
       }
+      const std::string warnings = head.warnings.words();
+      const int last = kFirstValue + 1 + static_cast<int>(values.size());
+      if (warnings.empty()) {
+        insert.bindNothing(last);
+      } else {
+        insert.bind(last, std::string_view(warnings));
+      }
       insert.runOnce();
     }
     connection.run("COMMIT");
@@ -130,6 +137,8 @@ void StudyDatabase::forEach(const std::function<bool(const StoredDesign&)>& visi
       design.status = rows.text(1) == "done" ? DesignStatus::kDone : DesignStatus::kFailed;
       design.message = rows.text(2);
       for (std::size_t i = 0; i < values.size(); ++i) values[i] = rows.numberOrNan(kFirstValue + static_cast<int>(i));
+      const int last = kFirstValue + static_cast<int>(values.size());
+      if (rows.columns() > last) design.warnings = WarningSet::ofWords(rows.text(last));
       design.parameters = std::span(values).first(parameters);
       if (design.status == DesignStatus::kDone) design.metrics = std::span(values).last(metrics);
       if (!visit(design)) return;
@@ -149,7 +158,7 @@ void StudyDatabase::writeCsv(const std::filesystem::path& path,
       appendField(text, fmt::format("{} [{}]", each.name, each.unit));
     }
   }
-  text += ",message\n";
+  text += ",warnings,message\n";
   constexpr std::size_t kBlock = 1 << 20;
   const std::size_t metrics = open_->record.metrics.size();
   forEach([&](const StoredDesign& design) {
@@ -167,7 +176,7 @@ void StudyDatabase::writeCsv(const std::filesystem::path& path,
       text += ',';
       if (i < design.metrics.size() && !std::isnan(design.metrics[i])) appendNumber(text, design.metrics[i]);
     }
-    text += ',';
+    text += ',' + design.warnings.words() + ',';
     appendField(text, design.message);
     text += '\n';
     if (text.size() >= kBlock) {

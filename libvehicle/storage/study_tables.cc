@@ -33,7 +33,7 @@ class ColumnNames {
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return text;
   }
-  std::set<std::string> taken_ = {"id", "status", "message"};
+  std::set<std::string> taken_ = {"id", "status", "message", "warnings"};
 };
 
 std::int64_t pragma(SqliteConnection& connection, const std::string& name) {
@@ -84,7 +84,7 @@ void writeStudyTables(SqliteConnection& connection, const StudyRecord& record) {
   };
   for (const Channel& each : record.parameters) enter(each, "parameter");
   for (const Channel& each : record.metrics) enter(each, "metric");
-  connection.run(table + ")");
+  connection.run(table + ", warnings TEXT)");  // last: format 1 has none
 }
 
 std::string whyNoStudy(SqliteConnection& connection) {

@@ -13,7 +13,7 @@ namespace vehicle {
 /// Marks the file as ours ("VHST") and names the format of its tables.
 inline constexpr int kStudyApplication = 0x56485354;
 ///   1  a design that is done has every value
-///   2  it may lack some (NULL), which a program that knows format 1 would show as 0
+///   2  it may lack some (NULL), which a program that knows format 1 would show as 0; warnings of each design
 inline constexpr int kStudyFormat = 2;
 inline constexpr int kOldestStudyFormat = 1;  // that can be read
 

@@ -66,7 +66,7 @@ void add(const EvaluatedDesign& design, DesignBatch& batch) {
   if (design.failed) {
     batch.addFailed(id, parameters, std::string(design.message));
   } else {
-    batch.add(id, parameters, design.row.subspan(batch.parameters()), std::string(design.message));
+    batch.add(id, parameters, design.row.subspan(batch.parameters()), std::string(design.message), design.warnings);
   }
 }
 

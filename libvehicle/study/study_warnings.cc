@@ -1,9 +1,13 @@
 #include "libvehicle/study/study_warnings.h"
 
 #include <bit>
+#include <cctype>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "libvehicle/simulate/file_warnings.h"
+#include "libvehicle/statics/rest.h"
 #include "libvehicle/study/evaluate/mode_metrics.h"
 
 namespace vehicle {
@@ -50,10 +54,47 @@ Warning noIndex(const Plan& plan, const Influence& influence) {
   return warning;
 }
 
+Warnings vehicleWarnings(const StudyInputs& inputs) {
+  if (inputs.scenarios.empty()) return {};
+  const double gravity = inputs.scenarios.front().gravity;
+  const Topology topology = topologyOf(inputs.vehicle);
+  try {
+    return fileWarnings(inputs.vehicle, topology, restOf(topology, gravity), gravity);
+  } catch (const InvalidInput&) {
+    return {};  // it has no rest position: its designs say why
+  }
+}
+
+/// "A wheel load fell below 0: ... . From ..." as the middle of a line: its first sentence, begun in lower case.
+std::string clauseOf(WarningCode code) {
+  for (const WarningKind& each : warningKinds()) {
+    if (each.code != code) continue;
+    std::string text(each.sentence.substr(0, each.sentence.find(". ")));
+    if (text.ends_with('.')) text.pop_back();
+    text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+    return text;
+  }
+  return "";
+}
+
+Warning warned(const StudyInputs& inputs, const WarnedDesigns& designs, std::uint64_t stored) {
+  Warning warning;
+  warning.code = designs.code;
+  warning.place = inputs.study.origin;
+  warning.subject = "<study>";
+  warning.message = fmt::format("{} of {} designs, the first is {}: {}", designs.designs, stored, designs.first,
+                                clauseOf(designs.code));
+  warning.remedy = "the column warnings of --export names them all";
+  warning.value = static_cast<double>(designs.designs);
+  return warning;
+}
+
 }  // namespace
 
 Warnings warningsBefore(const StudyInputs& inputs) {
-  Warnings warnings = unknownModes(inputs);
+  Warnings warnings = vehicleWarnings(inputs);
+  const Warnings modes = unknownModes(inputs);
+  warnings.insert(warnings.end(), modes.begin(), modes.end());
   if (isSaltelli(inputs.study)) {
     const Plan& plan = *inputs.study.plan;
     if (!std::has_single_bit(static_cast<unsigned>(plan.size.value_or(1)))) warnings.push_back(sampleSize(plan));
@@ -63,6 +104,7 @@ Warnings warningsBefore(const StudyInputs& inputs) {
 
 Warnings warningsAfter(const StudyInputs& inputs, const StudySummary& summary) {
   Warnings warnings;
+  for (const WarnedDesigns& each : summary.warnings) warnings.push_back(warned(inputs, each, summary.stored));
   if (!isSaltelli(inputs.study) || summary.stored < summary.designs) return warnings;
   for (const Influence& each : summary.influences) {
     if (each.indices.indices.empty()) warnings.push_back(noIndex(*inputs.study.plan, each));

@@ -90,12 +90,27 @@ class Summary {
     learn(design);
     if (design.status == DesignStatus::kFailed) return;
     missing_.add(design.metrics, design.message);
+    count(design);
     if (!verdict_.keepsLimits(design.metrics)) return;
     ++summary_.within_limits;
     const std::vector<double> values = verdict_.toMinimise(design.metrics);
     if (values.size() > 1) front_.add(design.id, values);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!std::isnan(values[i])) keepIfGood(best_[i], {values[i], design.id});
+    }
+  }
+
+  void count(const StoredDesign& design) {
+    if (design.warnings.empty()) return;
+    ++summary_.warned;
+    for (const WarningCode code : design.warnings.codes()) {
+      const auto at = std::lower_bound(summary_.warnings.begin(), summary_.warnings.end(), code,
+                                       [](const WarnedDesigns& each, WarningCode other) { return each.code < other; });
+      if (at != summary_.warnings.end() && at->code == code) {
+        ++at->designs;
+      } else {
+        summary_.warnings.insert(at, {code, 1, designName(inputs_, plan_, design.id)});
+      }
     }
   }
 
@@ -164,6 +179,7 @@ class Summary {
     made.name = designName(inputs_, plan_, design.id);
     made.parameters.assign(design.parameters.begin(), design.parameters.end());
     made.message = design.message;
+    made.warnings = design.warnings;
     if (design.status == DesignStatus::kFailed) return made;
     made.metrics.assign(design.metrics.begin(), design.metrics.end());
     made.objectives = verdict_.objectives(design.metrics);

@@ -26,6 +26,7 @@ struct JudgedDesign {
   /// (objectives) the column of the worst case, where several are judged by their worst
   std::vector<std::optional<std::size_t>> worst;
   std::string message;  // why it failed, or why values are missing
+  WarningSet warnings;  // where its results left what the model can say
   [[nodiscard]] bool failed() const { return metrics.empty(); }
   [[nodiscard]] bool keepsLimits() const;
 };
@@ -40,6 +41,13 @@ struct Influence {
   std::optional<Regression::Fit> fit;   // standardised straight lines
 };
 
+/// Designs whose results left what the model can say, in one respect.
+struct WarnedDesigns {
+  WarningCode code{};
+  std::uint64_t designs = 0;
+  std::string first;  // name of the first of them
+};
+
 /// A study read at a glance: what there is to be shown of any number of designs.
 struct StudySummary {
   std::uint64_t designs = 0;  // of the study
@@ -48,6 +56,8 @@ struct StudySummary {
   std::uint64_t within_limits = 0;              // of those that did not fail
   std::uint64_t incomplete = 0;                 // that lack values, of those that did not fail
   std::vector<MissingValues> missing;           // the most frequent first
+  std::uint64_t warned = 0;                     // designs that have warnings
+  std::vector<WarnedDesigns> warnings;          // by code
   std::vector<JudgedDesign> compared;           // base first, then the named ones; all, where they are few
   std::vector<std::vector<JudgedDesign>> best;  // (objectives) the best first, all within the limits
   std::vector<JudgedDesign> front;              // that nothing within the limits dominates, by the first objective

@@ -85,7 +85,7 @@ const Lines kStudy = {
     R"(<scenario file="track.xml"/>)",
     R"(<vary parameter="secondary.stiffness_z" from="1 MN/m" to="4 MN/m" count="3" spacing="linear"/>)",
     R"(<vary parameter="primary.damping_z" kind="relative" values="80 %, 100 %"/>)",
-    R"(<plan kind="grid" seed="1"/>)",
+    R"(<plan kind="latin_hypercube" size="3" seed="1"/>)",
     R"(<design name="light"> <set parameter="carbody.mass" value="50 t"/> </design>)",
     R"(<metric name="carbody.az.rms"/>)",
     R"(<metric name="static.s_front.deflection"/>)",

@@ -203,7 +203,7 @@ TEST(ProblemPlaces, OfStudiesTrainsAndSuitesAreFileAndLine) {
        "study.xml:4"},
       {"study.xml", R"(frame.az.rms)", R"(frame.az.peek)", {"check", "study.xml"}, 1, "study.xml:5"},
       {"study.xml", R"(frame.az.rms)", R"(fram.az.rms)", {"check", "study.xml"}, 1, "study.xml:5"},
-      {"coach.xml", R"(mass="10 t")", R"(mass="-10 t")", {"check", "study.xml"}, 1, "study.xml:2"},
+      {"coach.xml", R"(mass="10 t")", R"(mass="-10 t")", {"check", "study.xml"}, 1, "coach.xml:3"},
       // trains and suites
       {"train.xml", R"(count="3")", R"(count="0")", {"info", "train.xml"}, 1, "train.xml:2"},
       {"coach.xml", R"(mass="10 t")", R"(mass="10 m")", {"info", "train.xml"}, 1, "coach.xml:3"},

@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/diagnostics/problem.h"
-#include "libvehicle/storage/csv_text.h"
 #include "tests/storage/studies.h"
 #include "tests/support/test_folder.h"
 
@@ -300,11 +299,11 @@ TEST(StudyDatabase, AStudyOfTooManyColumnsIsRefusedAndTheMostThatFitAreStored) {
   const TestFolder folder;
   StudyRecord record = smallStudy(2);
   record.metrics.clear();
-  for (int i = 0; i < 1996; ++i) record.metrics.push_back({std::string("m").append(std::to_string(i)), "m"});
+  for (int i = 0; i < 1995; ++i) record.metrics.push_back({std::string("m").append(std::to_string(i)), "m"});
   EXPECT_EQ(
       refusalOf(folder, [&] { static_cast<void>(StudyDatabase::create(folder.path("wide.sqlite"), record)); }),
-      "study.xml:1: error: the study makes 1998 columns (2 parameters, 1996 metrics over all speeds and scenarios), at "
-      "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
+      "study.xml:1: error: the study makes 1997 columns (2 parameters, 1995 metrics over all speeds and scenarios), at "
+      "most 1996 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
   EXPECT_EQ(folder.entries(), 0u);
   record.metrics.pop_back();
   StudyDatabase database = StudyDatabase::create(folder.path("wide.sqlite"), record);
@@ -322,47 +321,6 @@ TEST(StudyDatabase, NamesThatDifferInCaseOrQuotesAreColumnsOfTheirOwn) {
   EXPECT_EQ(database.record(), record);
   record.metrics[1].name = "id";
   EXPECT_THROW(static_cast<void>(StudyDatabase::create(folder.path("twice.sqlite"), record)), std::invalid_argument);
-}
-
-TEST(StudyDatabase, TheCsvNamesTheDesignsWhereNamesAreTold) {
-  const TestFolder folder;
-  const StudyRecord record = smallStudy(2);
-  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
-  database.append(batchOf(record, 0, 2));
-  database.writeCsv(folder.path("study.csv"), [](std::uint64_t id) { return id == 0 ? "base" : "soft, \"1\""; });
-  const std::string text = textOf(folder.path("study.csv"));
-  std::string_view rest = text;
-  EXPECT_TRUE(takeLine(rest).starts_with("id,design,status,carbody.mass [kg],"));
-  for (const char* name : {"base", "soft, \"1\""}) {
-    const auto fields = splitFields(takeLine(rest)).value();
-    ASSERT_EQ(fields.size(), 9u);
-    EXPECT_EQ(fields[1], name);
-  }
-}
-
-TEST(StudyDatabase, TheCsvHoldsEveryDesignWithNumbersThatReadBack) {
-  const TestFolder folder;
-  const StudyRecord record = smallStudy(5);
-  StudyDatabase database = StudyDatabase::create(folder.path("study.sqlite"), record);
-  database.append(batchOf(record, 0, 5));
-  database.writeCsv(folder.path("study.csv"));
-  const std::string text = textOf(folder.path("study.csv"));
-  std::string_view rest = text;
-  EXPECT_EQ(takeLine(rest),
-            "id,status,carbody.mass [kg],primary.stiffness_z [N/m],carbody.az.rms @ 80 km/h [m/s^2],"
-            "carbody.az.rms @ 120 km/h [m/s^2],\"static, load [N]\",message");
-  for (std::uint64_t id = 0; id < 5; ++id) {
-    const auto fields = splitFields(takeLine(rest)).value();
-    ASSERT_EQ(fields.size(), 8u);
-    EXPECT_EQ(fields[0], std::to_string(id));
-    EXPECT_EQ(std::stod(fields[3]), parametersOfDesign(id)[1]);
-    EXPECT_EQ(fields[4].empty(), hasFailed(id));
-    if (!hasFailed(id)) {
-      EXPECT_EQ(std::stod(fields[6]), metricsOfDesign(id)[2]);
-    }
-    EXPECT_EQ(fields[7], hasFailed(id) ? "no steady state at 80 km/h, \"3\"" : "");
-  }
-  EXPECT_TRUE(rest.empty());
 }
 
 /// Runs `work` as a user without special rights: root may write everywhere.

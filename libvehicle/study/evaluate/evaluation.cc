@@ -9,6 +9,7 @@ void Batch::reset(DesignSpan designs, std::size_t columns) {
   values.assign(static_cast<std::size_t>(designs.size()) * columns, std::numeric_limits<double>::quiet_NaN());
   failures.clear();
   gaps.clear();
+  warnings.clear();
 }
 
 }  // namespace vehicle

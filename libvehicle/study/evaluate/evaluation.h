@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "libvehicle/diagnostics/warning_set.h"
+
 namespace vehicle {
 
 // The seam between who evaluates designs and who shares them out: a pure function from consecutive design numbers to
@@ -36,12 +38,20 @@ struct DesignGap {
   bool operator==(const DesignGap&) const = default;
 };
 
+/// Where the results of a design left what its model can say.
+struct DesignWarnings {
+  std::int64_t design = 0;
+  WarningSet warnings;
+  bool operator==(const DesignWarnings&) const = default;
+};
+
 /// A design of a batch.
 struct EvaluatedDesign {
   std::int64_t design = 0;
   std::span<double> row;     // (columns); NaN where there is no value
   bool failed = false;       // nothing of the row but its parameters counts
   std::string_view message;  // why it failed, or why values are missing; else empty
+  WarningSet warnings = {};
 };
 
 /// Results of a range. Storage is kept from batch to batch.
@@ -50,8 +60,9 @@ struct Batch {
   std::vector<double> values;           // (designs x columns), row-major; NaN where there is none
   std::vector<DesignFailure> failures;  // ascending
   std::vector<DesignGap> gaps;          // ascending, of designs that did not fail
+  std::vector<DesignWarnings> warnings; // the same
 
-  /// Empties it for a new range: all values NaN, no failures, no gaps.
+  /// Empties it for a new range: all values NaN, no failures, gaps or warnings.
   void reset(DesignSpan designs, std::size_t columns);
   /// Row of a design of the range.
   [[nodiscard]] std::span<double> row(std::int64_t design, std::size_t columns) {
@@ -62,14 +73,16 @@ struct Batch {
   void forEach(std::size_t columns, Visit visit) {
     auto failure = failures.begin();
     auto gap = gaps.begin();
+    auto warned = warnings.begin();
     for (std::int64_t design = range.first; design < range.end; ++design) {
-      EvaluatedDesign each{design, row(design, columns), false, {}};
+      EvaluatedDesign each{design, row(design, columns), false, {}, {}};
       if (failure != failures.end() && failure->design == design) {
         each.failed = true;
         each.message = (failure++)->message;
       } else if (gap != gaps.end() && gap->design == design) {
         each.message = (gap++)->message;
       }
+      if (warned != warnings.end() && warned->design == design) each.warnings = (warned++)->warnings;
       visit(each);
     }
   }
@@ -88,7 +101,7 @@ class Worker {
  public:
   virtual ~Worker() = default;
 
-  /// Fills batch.values, failures and gaps for the task's designs; the batch comes reset. What is wrong with one design
+  /// Fills batch.values, failures, gaps and warnings for the task's designs; the batch comes reset. What is wrong with one design
   /// becomes its failure; a value that it cannot have stays NaN and its reason becomes a gap.
   /// @throws whatever ends the whole study (memory, a mistake of ours)
   virtual void evaluate(const Task& task, Batch& batch) = 0;

@@ -1,11 +1,14 @@
 #include "libvehicle/study/evaluate/flat_block.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/simulate/initial_state.h"
+#include "libvehicle/simulate/vehicle_warnings.h"
 
 namespace vehicle {
 
@@ -13,6 +16,30 @@ std::string designProblem(const std::exception& error) {
   const auto* invalid = dynamic_cast<const InvalidInput*>(&error);
   return invalid != nullptr ? firstProblem(invalid->problems()) : error.what();
 }
+
+namespace {
+
+/// What restWarnings() says of a design in a lane: wheel loads that miss the weight, springs that come down too far.
+void judgeRest(const EnsembleDesign& design, double gravity, std::size_t row, DesignRows& rows) {
+  const FlatParameters& v = design.vehicle;
+  std::array<double, 4> primary{};  // [N] on each spring
+  double weight = (v.mk + v.m1 + v.m2) * gravity;
+  double load = 0.0;
+  bool deep = false;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double wheelset = design.wheelset_mass[j] * gravity;
+    weight += wheelset;
+    load += design.wheel_load[j];
+    primary[j] = design.wheel_load[j] - wheelset;
+    deep = deep || std::abs(primary[j]) > kMostRestDeflection * v.cp[j];
+  }
+  deep = deep || std::abs(primary[0] + primary[1] - v.m1 * gravity) > kMostRestDeflection * v.cs1;
+  deep = deep || std::abs(primary[2] + primary[3] - v.m2 * gravity) > kMostRestDeflection * v.cs2;
+  if (deep) rows.warn(row, WarningCode::kRestDeflection);
+  if (std::abs(load - weight) > kMostLoadError * weight) rows.warn(row, WarningCode::kGivenLoads);
+}
+
+}  // namespace
 
 FlatBlock::FlatBlock(const StudyInputs& inputs, Evaluation evaluation)
     : inputs_(inputs),
@@ -76,6 +103,7 @@ void FlatBlock::add(std::size_t row, DesignRows& rows) {
     const std::size_t c = group_case_[g];
     const Scenario& scenario = scenarios_[cases[c].scenario];
     EnsembleDesign design = maker_.design(scenario.gravity);
+    judgeRest(design, scenario.gravity, row, rows);
     if (!shared_) rails_[c].push_back(railOf(cases[c], scenario));
     if (!startsAtRest(scenario)) {
       if (shared_) apply(inputs_.bound, values, vehicle_, scenarios_);

@@ -4,13 +4,12 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "libvehicle/diagnostics/warning.h"
+#include "libvehicle/diagnostics/warning_set.h"
 #include "libvehicle/study/evaluate/evaluation.h"
 #include "libvehicle/study/study_inputs.h"
 
@@ -46,7 +45,7 @@ class DesignRows {
   }
   /// Says where the design's results left what the model can say.
   void warn(std::size_t design, WarningCode code) { warnings_[design].insert(code); }
-  [[nodiscard]] const std::set<WarningCode>& warnings(std::size_t design) const { return warnings_[design]; }
+  [[nodiscard]] WarningSet warnings(std::size_t design) const { return warnings_[design]; }
 
   [[nodiscard]] bool failed(std::size_t design) const { return !problems_[design].empty(); }
   [[nodiscard]] const std::string& problem(std::size_t design) const { return problems_[design]; }
@@ -62,7 +61,7 @@ class DesignRows {
   std::size_t metrics_;
   std::vector<std::string> problems_;                        // (designs) empty where nothing is wrong
   std::vector<std::map<std::size_t, std::string>> missing_;  // (designs) metric, why it has no value
-  std::vector<std::set<WarningCode>> warnings_;              // (designs)
+  std::vector<WarningSet> warnings_;                         // (designs)
 };
 
 /// A metric and where its value goes.

@@ -7,9 +7,12 @@
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/linear/steady_state.h"
 #include "libvehicle/simulate/simulate.h"
+#include "libvehicle/simulate/vehicle_warnings.h"
+#include "libvehicle/statics/rest.h"
 #include "libvehicle/study/evaluate/column_statistic.h"
 #include "libvehicle/study/evaluate/flat_block.h"
 #include "libvehicle/study/evaluate/path.h"
+#include "libvehicle/study/evaluate/steady_range.h"
 #include "libvehicle/study/evaluate/steady_statistic.h"
 #include "libvehicle/study/evaluate/summary_statistic.h"
 
@@ -132,7 +135,11 @@ class SteadySinglePath final : public SinglePath {
     problems.append(check(scenario));
     if (!problems.empty()) throw InvalidInput(std::move(problems));
     const std::unique_ptr<System> form = buildForm("matrix", vehicle(), scenario.gravity);
-    const Input input = inputOf(steadyScenario(scenario), topologyOf(vehicle()), speed);
+    const Topology topology = topologyOf(vehicle());
+    if (!stands(topology, scenario.gravity, row, rows)) {
+      return leaveEmpty(requests(study_case), row, "no steady state: the vehicle cannot stand", rows);
+    }
+    const Input input = inputOf(steadyScenario(scenario), topology, speed);
     const InputSegment& rail = input.segment(0);
     try {
       answer(*form, rail);
@@ -140,17 +147,35 @@ class SteadySinglePath final : public SinglePath {
       return leaveEmpty(requests(study_case), row, error.what(), rows);
     }
     SteadyStatistic& statistic = statistics_.of(rail.angular_frequency);
-    const std::size_t harmonics = rail.angular_frequency.size();
+    if (range_.empty()) range_ = rangeColumns(topology, form->outputs());
+    for (const RangeColumn& each : range_) {
+      if (each.kind == RangeKind::kLoad && scenario.gravity == 0.0) continue;
+      takeColumn(each.column);
+      if (leavesRange(each.kind, mean_[each.column], harmonic_, statistic)) rows.warn(row, rangeCode(each.kind));
+    }
     for (const ColumnRequest& request : requests(study_case)) {
       const auto& columns = form->outputs();
       const auto found = std::find_if(columns.begin(), columns.end(),
                                       [&](const Channel& each) { return each.name == request.column; });
       const auto column = static_cast<std::size_t>(found - columns.begin());  // bindStudy() knows it
-      for (std::size_t f = 0; f < harmonics; ++f) harmonic_[f] = amplitudes_[f][column];
+      takeColumn(column);
       for (const MetricPlace& entry : request.entries) {
         write(entry, row, rows, [&] { return statistic(entry.metric, mean_[column], harmonic_); });
       }
     }
+  }
+
+  static bool stands(const Topology& topology, double gravity, std::size_t row, DesignRows& rows) {
+    bool stands = true;
+    for (const Warning& each : restWarnings(topology, restOf(topology, gravity), gravity)) {
+      rows.warn(row, each.code);
+      stands = stands && each.code != WarningCode::kCannotStand;
+    }
+    return stands;
+  }
+
+  void takeColumn(std::size_t column) {
+    for (std::size_t f = 0; f < harmonic_.size(); ++f) harmonic_[f] = amplitudes_[f][column];
   }
 
   // Outputs are linear in state and rail, but for the static loads: what they are at rest on level rail.
@@ -212,6 +237,7 @@ class SteadySinglePath final : public SinglePath {
   std::vector<double> mean_;                                   // (columns)
   std::vector<std::vector<std::complex<double>>> amplitudes_;  // (harmonics x columns)
   std::vector<std::complex<double>> harmonic_;                 // (harmonics) of one column
+  std::vector<RangeColumn> range_;                             // the same for every design
   SteadyStatistics statistics_{kMostStatistics};
 };
 

@@ -5,6 +5,7 @@
 #include "libvehicle/ensemble/steady.h"
 #include "libvehicle/study/evaluate/flat_block.h"
 #include "libvehicle/study/evaluate/path.h"
+#include "libvehicle/study/evaluate/steady_range.h"
 #include "libvehicle/study/evaluate/steady_statistic.h"
 #include "libvehicle/study/evaluate/summary_statistic.h"
 
@@ -26,6 +27,18 @@ class SteadyEnsemblePath final : public Path {
         block_(inputs, Evaluation::kSteadyState),
         statistics_(std::max(kMostStatistics, inputs.bound.cases.size())) {
     for (std::size_t c = 0; c < inputs.bound.cases.size(); ++c) requests_.push_back(requestsOf(inputs.bound, c));
+    run_.extents = SteadyExtents::kBounded;
+    fine_.amplitudes = SteadyAmplitudes::kKept;
+    const auto addRange = [this](FlatColumn first, int count, RangeKind kind) {
+      for (int i = 0; i < count; ++i) {
+        range_.push_back({fine_.columns.size(), kind});
+        fine_.columns.push_back(static_cast<FlatColumn>(static_cast<int>(first) + 2 * i));
+      }
+    };
+    addRange(FlatColumn::kWheel1Load, 4, RangeKind::kLoad);
+    addRange(FlatColumn::kCarbodyPitch, 1, RangeKind::kPitch);
+    addRange(FlatColumn::kSecondaryFrontDeflection, 2, RangeKind::kTravel);
+    addRange(FlatColumn::kPrimary1Deflection, 4, RangeKind::kTravel);
     // Every case is asked for the same columns: one run serves all.
     for (const ColumnRequest& request : requests_.front()) {
       run_.columns.push_back(block_.column(request.column));
@@ -67,6 +80,7 @@ class SteadyEnsemblePath final : public Path {
           const Answer answer{result.summaries.data() + (r * designs + i) * run_.columns.size(),
                               amplitudesOf(result, r, i, *rails[r]), *rails[r]};
           write(cases[r], i, answer, rows);
+          judgeRange(cases[r], i, result.extents[r * designs + i], *rails[r], rows);
         }
       }
     }
@@ -100,6 +114,27 @@ class SteadyEnsemblePath final : public Path {
       const Answer answer{result.summaries.data() + i * run_.columns.size(), amplitudesOf(result, 0, i, *rails[i]),
                           *rails[i]};
       write(study_case, first + i, answer, rows);
+      judgeRange(study_case, first + i, result.extents[i], *rails[i], rows);
+    }
+  }
+
+  /// The bounds of most designs are within the range; the others are looked at closely.
+  void judgeRange(std::size_t study_case, std::size_t place, const DesignExtent& bounds, const InputSegment& rail,
+                  DesignRows& rows) {
+    const std::size_t row = block_.alive()[place];
+    const bool loads = inputs_.scenarios[inputs_.bound.cases[study_case].scenario].gravity > 0.0;
+    if (rows.failed(row) || !(bounds.largest_share > 1.0 || (loads && bounds.lowest_load < 0.0))) return;
+    const EnsembleDesign& design = block_.designs(block_.groupOf(study_case))[place];
+    const InputSegment* const rails[] = {&rail};
+    const SteadyResult result = steadyEnsemble({&design, 1}, rails, fine_);
+    SteadyStatistic& statistic = statistics_.of(rail.angular_frequency);
+    const std::size_t harmonics = rail.angular_frequency.size();
+    for (const RangeColumn& each : range_) {
+      if (each.kind == RangeKind::kLoad && !loads) continue;
+      const std::span amplitudes(result.amplitudes[0].data() + each.column * harmonics, harmonics);
+      if (leavesRange(each.kind, result.summaries[each.column].mean, amplitudes, statistic)) {
+        rows.warn(row, rangeCode(each.kind));
+      }
     }
   }
 
@@ -146,6 +181,8 @@ class SteadyEnsemblePath final : public Path {
   const StudyInputs& inputs_;
   FlatBlock block_;
   SteadyRun run_;
+  SteadyRun fine_;                  // of one design whose bounds leave the range
+  std::vector<RangeColumn> range_;  // among the columns of fine_
   std::vector<std::vector<ColumnRequest>> requests_;  // (cases)
   SteadyStatistics statistics_;
 };

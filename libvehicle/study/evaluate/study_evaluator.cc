@@ -66,6 +66,7 @@ class StudyWorker final : public Worker {
     for (std::size_t m = 0; m < metrics.size(); ++m) {
       if (!std::isfinite(metrics[m])) rows.leaveEmpty(row, m, "is not finite");
     }
+    if (!rows.warnings(row).empty()) batch.warnings.push_back({design, rows.warnings(row)});
     if (!rows.missing(row).empty()) batch.gaps.push_back({design, gapMessage(columns_, rows.missing(row))});
   }
 

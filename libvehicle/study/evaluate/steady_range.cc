@@ -1,0 +1,57 @@
+#include "libvehicle/study/evaluate/steady_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "libvehicle/simulate/run_warnings.h"
+
+namespace vehicle {
+
+namespace {
+
+double statisticOf(Statistic statistic, double mean, std::span<const std::complex<double>> amplitudes,
+                   SteadyStatistic& of, double without_period) {
+  Metric metric;
+  metric.statistic = statistic;
+  try {
+    return of(metric, mean, amplitudes);
+  } catch (const std::domain_error&) {
+    return without_period;
+  }
+}
+
+}  // namespace
+
+std::vector<RangeColumn> rangeColumns(const Topology& topology, const std::vector<Channel>& columns) {
+  std::vector<RangeColumn> found;
+  const auto add = [&](const std::string& name, RangeKind kind) {
+    const auto at = std::find_if(columns.begin(), columns.end(), [&](const Channel& each) { return each.name == name; });
+    if (at != columns.end()) found.push_back({static_cast<std::size_t>(at - columns.begin()), kind});
+  };
+  for (const TopologyWheelset& each : topology.wheelsets) add(each.name + ".load", RangeKind::kLoad);
+  for (const TopologyBody& each : topology.bodies) add(each.name + ".pitch", RangeKind::kPitch);
+  for (const TopologySuspension& each : topology.suspensions) add(each.name + ".deflection", RangeKind::kTravel);
+  return found;
+}
+
+bool leavesRange(RangeKind kind, double mean, std::span<const std::complex<double>> amplitudes,
+                 SteadyStatistic& statistic) {
+  double sum = 0.0;
+  for (const std::complex<double>& each : amplitudes) sum += std::abs(each);
+  if (kind == RangeKind::kLoad) {
+    // What rounding leaves of a load that just reaches 0 is no pull.
+    const double least = -1e-9 * (std::abs(mean) + sum);
+    return mean - sum < least && statisticOf(Statistic::kMin, mean, amplitudes, statistic, mean - sum) < least;
+  }
+  const double most = kind == RangeKind::kPitch ? kMostPitch : kMostTravel;
+  const double bound = std::abs(mean) + sum;
+  return bound > most && statisticOf(Statistic::kPeak, mean, amplitudes, statistic, bound) > most;
+}
+
+WarningCode rangeCode(RangeKind kind) {
+  return kind == RangeKind::kLoad ? WarningCode::kWheelLoad : WarningCode::kLargeMotion;
+}
+
+}  // namespace vehicle

@@ -15,8 +15,6 @@
 namespace vehicle {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kMostSpent = 0.015;         // [s]
 constexpr double kMostShare = 1.0 / 60.0;    // of the run
 constexpr double kLeastUseful = 4e-3;        // [s] starting a few teams and stepping some milliseconds
@@ -27,8 +25,6 @@ constexpr double kLeastTrials = 4.0;         // the first way before and after, 
 constexpr double kRepeats = 1.5;             // two timings of the same further apart than this mean nothing
 constexpr std::size_t kMostTried = 3;
 constexpr std::size_t kTriedTwice = 2;
-
-double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 std::string milliseconds(double seconds) {
   char text[32];
@@ -45,31 +41,32 @@ double inputTime(const WayProblem& problem) {
   std::vector<double> u(static_cast<std::size_t>(Input::kBlock) * 2 * static_cast<std::size_t>(input.channels()));
   double best = 1.0;
   for (int round = 0; round < 4; ++round) {
-    const Clock::time_point begin = Clock::now();
+    const double begin = problem.now();
     input.sweep(0, input.begin(), dt, Input::kBlock, u);
-    best = std::min(best, since(begin));
+    best = std::min(best, problem.now() - begin);
   }
   return 2.0 * best / Input::kBlock;
 }
 
 /// [s] of one empty exchange between all of so many threads.
-double exchangeTime(TeamChoice team, int threads) {
+double exchangeTime(const WayProblem& problem, int threads) {
   constexpr long kWarm = 100;
   constexpr long kEpochs = 500;
+  TeamChoice team = problem.team;
   team.threads = threads;
   team.tracer = nullptr;
   Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 2));
   double took = 0.0;
   runTeam(team, [&](Member& me) {
-    Clock::time_point begin;
+    double begin = 0.0;
     for (long epoch = 1; epoch <= kEpochs; ++epoch) {
-      if (epoch == kWarm) begin = Clock::now();
+      if (epoch == kWarm && me.number() == 0) begin = problem.now();
       exchange.publish(me, epoch);
       for (int other = 0; other < threads; ++other) {
         if (other != me.number()) (void)exchange.await(me, other, epoch);
       }
     }
-    if (me.number() == 0) took = since(begin);
+    if (me.number() == 0) took = problem.now() - begin;
   });
   return took / static_cast<double>(kEpochs - kWarm);
 }
@@ -122,6 +119,10 @@ std::string nameOf(const Way& way) {
 
 }  // namespace
 
+double secondsNow() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 long stepsOfRun(const Schedule& schedule, FixedStep step) {
   long steps = 0;
   for (std::size_t first = 0; first < schedule.stretches().size();) {
@@ -153,7 +154,7 @@ class Choosing {
 
   Decision made() {
     made_.reason = reason();
-    made_.calibration = since(begin_);
+    made_.calibration = spent();
     return std::move(made_);
   }
 
@@ -165,7 +166,7 @@ class Choosing {
     timeFirst(guess);
     budget_ = std::min(kMostSpent, kMostShare * made_.step * steps_);
     if (budget_ < kLeastUseful) return tooShort(made_.step * steps_);
-    if (kLeastTrials * start_ + since(begin_) > budget_) {
+    if (kLeastTrials * start_ + spent() > budget_) {
       return nameOf(first_) + ": a trial takes " + milliseconds(start_) +
              " before its first step, too long to try others";
     }
@@ -193,13 +194,13 @@ class Choosing {
     const Trial probe = trialOf(problem_, stepsIn(0.5e-3, guess / steps_));
     made_.step = start_ = std::numeric_limits<double>::max();
     const auto look = [&] {
-      const Clock::time_point begin = Clock::now();
-      const double step = timeOf(first_, probe, kMostSpent);
+      const double begin = problem_.now();
+      const double step = timed(first_, probe, kMostSpent);
       made_.step = std::min(made_.step, step);
-      start_ = std::min(start_, std::max(0.0, since(begin) - step * static_cast<double>(probe.steps)));
+      start_ = std::min(start_, std::max(0.0, problem_.now() - begin - step * static_cast<double>(probe.steps)));
     };
     look();
-    if (since(begin_) < kMostSpent) look();
+    if (spent() < kMostSpent) look();
     made_.candidates.front().measured = made_.candidates.front().predicted = made_.step;
   }
 
@@ -210,10 +211,10 @@ class Choosing {
     int most = 1;
     for (const Way& way : ways_) most = std::max(most, way.threads);
     made_.exchange.assign(static_cast<std::size_t>(most - 1), 1.0);  // not measured: never worth it
-    for (int threads = 2; threads <= most && since(begin_) < 0.5 * budget_; ++threads) {
+    for (int threads = 2; threads <= most && spent() < 0.5 * budget_; ++threads) {
       const bool asked =
           std::any_of(ways_.begin(), ways_.end(), [&](const Way& way) { return way.threads == threads; });
-      if (asked) made_.exchange[static_cast<std::size_t>(threads - 2)] = exchangeTime(problem_.team, threads);
+      if (asked) made_.exchange[static_cast<std::size_t>(threads - 2)] = exchangeTime(problem_, threads);
     }
   }
 
@@ -233,21 +234,21 @@ class Choosing {
 
   /// What is left, in equal parts: each way once, the fastest of them again, and the first way before and after.
   std::string tryOut(std::vector<std::size_t> order) {
-    const double left = std::max(0.25 * budget_, budget_ - since(begin_));
+    const double left = std::max(0.25 * budget_, budget_ - spent());
     const double part = left / static_cast<double>(order.size() + std::min(order.size(), kTriedTwice) + 2);
     const Trial trial = trialOf(problem_, stepsIn(part, made_.step));
-    const double before = timeOf(first_, trial, 4.0 * part);
+    const double before = timed(first_, trial, 4.0 * part);
     // A way slower than the first one took is broken off there: it has lost.
-    const auto tried = [&](std::size_t i) { return timeOf(ways_[i], trial, part); };
+    const auto tried = [&](std::size_t i) { return timed(ways_[i], trial, part); };
     const auto measured = [&](std::size_t i) -> double& { return made_.candidates[i].measured; };
     const auto faster = [&](std::size_t a, std::size_t b) { return measured(a) < measured(b); };
     for (const std::size_t i : order) measured(i) = tried(i);
     std::stable_sort(order.begin(), order.end(), faster);
     for (std::size_t k = 0; k < std::min(order.size(), kTriedTwice); ++k) {
-      if (since(begin_) > budget_) break;  // threads that are slow to start
+      if (spent() > budget_) break;  // threads that are slow to start
       measured(order[k]) = std::min(measured(order[k]), tried(order[k]));
     }
-    const double after = timeOf(first_, trial, 4.0 * part);
+    const double after = timed(first_, trial, 4.0 * part);
     return judge(*std::min_element(order.begin(), order.end(), faster), before, after);
   }
 
@@ -271,13 +272,17 @@ class Choosing {
     return nameOf(ways_[best]) + ": " + text;
   }
 
+  [[nodiscard]] double spent() const { return problem_.now() - begin_; }
+  [[nodiscard]] double timed(const Way& way, const Trial& trial, double limit) const {
+    return timeOf(way, trial, limit, problem_.now);
+  }
   static long stepsIn(double seconds, double step) { return static_cast<long>(seconds / step); }
 
   const WayProblem& problem_;
   const std::vector<Way>& ways_;
   const Way& first_;
   double steps_;
-  Clock::time_point begin_ = Clock::now();
+  double begin_ = problem_.now();
   double start_ = 0.0;   // [s] of a trial before its first step, as an exact method takes to find its matrices
   double budget_ = 0.0;  // [s] for all of it
   Decision made_;

@@ -40,6 +40,9 @@ struct Way {
   std::function<void(const Input&, const Schedule&, const Observer&)> run;
 };
 
+/// [s] of the steady clock.
+[[nodiscard]] double secondsNow();
+
 /// The run that is to be sped up.
 struct WayProblem {
   const System& system;
@@ -49,6 +52,7 @@ struct WayProblem {
   bool a_step_a_sample = false;   // of an exact method: its steps are the output samples
   EquationMap map = EquationMap::kAuto;
   const TeamChoice& team;         // its threads are not read
+  std::function<double()> now = secondsNow;  // [s] the clock that trials are timed by
 };
 
 /// The fastest of several ways that give the same bits. The first is taken unless another one wins clearly.

@@ -1,7 +1,6 @@
 #include "libvehicle/partition/trial.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -36,17 +35,16 @@ Trial trialOf(const WayProblem& problem, long steps) {
   return {std::move(input), std::move(schedule), steps};
 }
 
-double timeOf(const Way& way, const Trial& trial, double limit) {
-  using Clock = std::chrono::steady_clock;
+double timeOf(const Way& way, const Trial& trial, double limit, const std::function<double()>& now) {
   const int samples = trial.schedule.samples();
   const int first = samples / 4;  // caches are warm and all threads have come
-  Clock::time_point begin;
+  double begin = 0.0;
   double took = 0.0;
   int last = first;
   way.run(trial.input, trial.schedule, [&](int sample, int, double, std::span<const double>) {
     if (sample < first || took > limit) return took <= limit;
-    if (sample == first) begin = Clock::now();
-    took = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (sample == first) begin = now();
+    took = now() - begin;
     last = sample;
     return took <= limit;
   });

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "libvehicle/partition/choose.h"
 
 namespace vehicle {
@@ -15,7 +17,9 @@ struct Trial {
 [[nodiscard]] Trial trialOf(const WayProblem& problem, long steps);
 
 /// [s] a step by that way, without the start of its threads.
+/// @param now    [s] a clock
 /// @param limit  [s] a way that has not come to the end by then is broken off: it is told by what it has done
-[[nodiscard]] double timeOf(const Way& way, const Trial& trial, double limit);
+[[nodiscard]] double timeOf(const Way& way, const Trial& trial, double limit,
+                            const std::function<double()>& now);
 
 }  // namespace vehicle

@@ -47,7 +47,7 @@ TEST(StudyResume, AnyNumberOfThreadsExportsTheSameBytes) {
   EXPECT_EQ(linesOf(tables[0]).size(), 502u);  // header, base, plan
   EXPECT_EQ(linesOf(tables[0])[0],
             "id,design,status,carbody.mass [kg],secondary.stiffness_z [N/m],carbody.az.rms [m/s^2],"
-            "mode.carbody bounce.damping [],message");
+            "mode.carbody bounce.damping [],warnings,message");
   EXPECT_EQ(tables[1], tables[0]);
   EXPECT_EQ(tables[2], tables[0]);
 }

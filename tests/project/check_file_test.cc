@@ -130,7 +130,7 @@ TEST_F(CheckFile, CountsDesignsAndColumns) {
   EXPECT_EQ(
       problemsOf("study.xml"),
       "study.xml:1: error: the study makes 2001 columns (1 parameters, 2000 metrics over all speeds and scenarios), at "
-      "most 1997 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
+      "most 1996 fit in a row; ask for fewer metrics or speeds, or make two studies\n");
   lines = test::kStudyLines;
   lines[3] = R"(<vary parameter="frame.mass" from="1 t" to="90 t"/>)";
   lines[4] = R"(<search method="nsga2" population="1000000" generations="1000000"/>)";

@@ -116,7 +116,7 @@ TEST(StudyDatabase, ADesignThatIsDoneMayLackValuesAndSaysWhy) {
   EXPECT_EQ(seen, (std::vector<std::string>{"done x x x ", "done x - x no line in the band", "failed weighs nothing"}));
   // Any SQLite tool sees NULL, which is no number, and the CSV an empty field.
   database.writeCsv(folder.path("study.csv"));
-  EXPECT_NE(textOf(folder.path("study.csv")).find(",1,,3,no line in the band\n"), std::string::npos)
+  EXPECT_NE(textOf(folder.path("study.csv")).find(",1,,3,,no line in the band\n"), std::string::npos)
       << textOf(folder.path("study.csv"));
 }
 

@@ -60,7 +60,7 @@ int printInfo(const Options& options) {
   if (!vehicle.units.empty()) {
     document.tables.insert(document.tables.begin(), unitTable(vehicle, topology, rest));
   }
-  const Warnings warnings = fileWarnings(vehicle, topology, rest, options.gravity);
+  const Warnings warnings = fileWarnings(vehicle, options.gravity);
   addWarnings(warnings, options.common, document);
   print(document, options.common.format, std::cout);
   std::cout.flush();

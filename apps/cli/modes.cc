@@ -15,8 +15,10 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
+#include "apps/cli/remarks.h"
 #include "libvehicle/linear/modes.h"
 #include "libvehicle/linear/undamped.h"
+#include "libvehicle/simulate/file_warnings.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/xml/reader.h"
 
@@ -128,12 +130,16 @@ int printModes(const Options& options, const CLI::App& command) {
   const std::vector<Mode> modes = modesOf(*system);
   const std::vector<UndampedMode> undamped = undampedModesOf(system->linear().value().A, system->states());
   const bool formatted = options.common.format == Format::kTable;
-  print({{{"vehicle", vehicle.name, ""}, {"form", form, ""}},
-         {eigenvalueTable(modes, undamped),
-          formatted ? shapeMatrix(modes, system->states()) : shapeList(modes, system->states())},
-         {}},
-        options.common.format, std::cout);
-  return kDone;
+  const Warnings warnings = fileWarnings(vehicle, options.gravity);
+  Document document{{{"vehicle", vehicle.name, ""}, {"form", form, ""}},
+                    {eigenvalueTable(modes, undamped),
+                     formatted ? shapeMatrix(modes, system->states()) : shapeList(modes, system->states())},
+                    {}};
+  addWarnings(warnings, options.common, document);
+  print(document, options.common.format, std::cout);
+  std::cout.flush();
+  printWarnings(warnings);
+  return statusAfter(warnings, options.common);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "apps/cli/remarks.h"
 
 #include <iostream>
+#include <map>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace vehicle::cli {
 
@@ -14,7 +17,15 @@ void printNotes(const std::vector<Note>& notes, const CommonOptions& common) {
 }
 
 void printWarnings(const Warnings& warnings) {
-  for (const Warning& each : warnings) std::cerr << each.text() << '\n';
+  std::map<WarningCode, std::size_t> printed;
+  for (const Warning& each : warnings) {
+    if (++printed[each.code] <= kMostOfACode) std::cerr << each.text() << '\n';
+  }
+  for (const auto& [code, count] : printed) {
+    if (count <= kMostOfACode) continue;
+    std::cerr << fmt::format("warning: {} more of this kind, which --format csv and json list [{}]\n",
+                             count - kMostOfACode, wordOf(code));
+  }
 }
 
 ExitStatus statusAfter(const Warnings& warnings, const CommonOptions& common) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ void printNote(const std::string& text, const CommonOptions& common);
 /// The same for what the program makes of values of files.
 void printNotes(const std::vector<Note>& notes, const CommonOptions& common);
 
-/// Warnings, one line each on stderr, --quiet or not.
+/// Warnings, one line each on stderr, --quiet or not; of many of one code the first kMostOfACode and how many more.
+inline constexpr std::size_t kMostOfACode = 4;
 void printWarnings(const Warnings& warnings);
 
 /// The status of a command that has done its work: with --strict a warning makes it a check that did not hold.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -60,8 +61,25 @@ std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOption
   return reports;
 }
 
+/// What runs of all cases warned of; of a vehicle itself once, of its motion with the case.
+Warnings warningsOf(const std::vector<ValidationReport>& reports, bool is_suite) {
+  Warnings all;
+  std::set<std::string> said;
+  for (const ValidationReport& report : reports) {
+    for (Warning each : report.warnings) {
+      if (is_suite && each.time) {
+        each.subject = fmt::format("{} on {} at {:.4g} km/h: {}", report.vehicle, report.scenario, 3.6 * report.speed,
+                                   each.subject);
+      }
+      if (said.insert(each.text()).second) all.push_back(std::move(each));
+    }
+  }
+  return all;
+}
+
+/// @param warnings  all; of them `found` is yet to be printed
 void printReports(const std::vector<ValidationReport>& reports, bool is_suite, const Warnings& warnings,
-                  const Options& options) {
+                  const Warnings& found, const Options& options) {
   const bool all = options.details || options.common.format != Format::kTable;
   Document document =
       is_suite ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
@@ -69,6 +87,7 @@ void printReports(const std::vector<ValidationReport>& reports, bool is_suite, c
   // A case that was interrupted has nothing to show but that.
   if (is_suite || !reports.front().stopped) print(document, options.common.format, std::cout);
   std::cout.flush();
+  printWarnings(found);
   for (const ValidationReport& report : reports) {
     for (const std::string& complaint : complaintsOf(report)) std::cerr << "vehicle: " << complaint << '\n';
   }
@@ -81,7 +100,9 @@ int validateAll(const Options& options, const CLI::App& command) {
   if (work.is_suite) warnings = unjudgedOf(work.cases);
   printWarnings(warnings);
   const std::vector<ValidationReport> reports = runCases(work.cases, options.common);
-  printReports(reports, work.is_suite, warnings, options);
+  const Warnings found = warningsOf(reports, work.is_suite);
+  warnings.insert(warnings.end(), found.begin(), found.end());
+  printReports(reports, work.is_suite, warnings, found, options);
   const ExitStatus status = exitStatusOf(reports, options.allow_unjudged ? Unjudged::kAccept : Unjudged::kFail);
   if (reports.back().stopped) {
     std::cerr << fmt::format("vehicle: interrupted; {} of {} cases are finished\n", reports.size() - 1,

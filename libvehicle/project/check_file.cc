@@ -9,6 +9,7 @@
 #include "libvehicle/project/together.h"
 #include "libvehicle/simulate/file_warnings.h"
 #include "libvehicle/statics/rest.h"
+#include "libvehicle/study/study_warnings.h"
 #include "libvehicle/xml/reader.h"
 
 namespace vehicle {
@@ -41,8 +42,7 @@ CheckedFile checkVehicle(const std::string& path, FileKind kind, FileSource& fil
     if (kind == FileKind::kVehicle && !drafts.empty()) checked.vehicle = std::move(drafts.front());
     return checked;
   }
-  const Topology topology = topologyOf(*checked.vehicle);
-  checked.warnings = fileWarnings(*checked.vehicle, topology, restOf(topology, kGravity), kGravity);
+  checked.warnings = fileWarnings(*checked.vehicle, kGravity);
   checked.notes = notesOn(*checked.vehicle);
   return checked;
 }
@@ -60,7 +60,12 @@ CheckedFile checkSuite(const std::string& path, FileSource& files) {
   CheckedFile checked;
   const Outcome<SuiteWork> work = readSuiteWork(path, {}, files);
   checked.problems = work.problems;
-  if (work.value) checked.warnings = unjudgedOf(*work.value);
+  if (!work.value) return checked;
+  checked.warnings = unjudgedOf(*work.value);
+  for (const Vehicle& each : work.value->vehicles) {
+    const Warnings found = fileWarnings(each, kGravity);
+    checked.warnings.insert(checked.warnings.end(), found.begin(), found.end());
+  }
   return checked;
 }
 
@@ -68,6 +73,7 @@ CheckedFile checkStudy(const std::string& path, FileSource& files) {
   CheckedFile checked;
   const Outcome<StudyWork> work = readStudyWork(path, files);
   checked.problems = work.value ? checkBeforeFirstDesign(*work.value, path) : work.problems;
+  if (checked.problems.empty()) checked.warnings = warningsBefore(work.value->inputs);
   return checked;
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "libvehicle/linear/motion_rates.h"
+#include "libvehicle/matrix/matrix_form.h"
 #include "libvehicle/simulate/vehicle_warnings.h"
+#include "libvehicle/statics/rest.h"
 #include "libvehicle/statics/geometry_warnings.h"
 
 namespace vehicle {
@@ -24,11 +27,17 @@ bool isSaid(const Warning& warning, const Warnings& others) {
 
 }  // namespace
 
-Warnings fileWarnings(const Vehicle& vehicle, const Topology& topology, const Rest& rest, double gravity) {
+Warnings fileWarnings(const Vehicle& vehicle, double gravity) {
+  const Topology topology = topologyOf(vehicle);
+  const Rest rest = restOf(topology, gravity);
   Warnings warnings = geometryWarnings(vehicle, topology, rest);
   for (Warning& each : restWarnings(topology, rest, gravity)) {
     if (!isSaid(each, warnings)) warnings.push_back(std::move(each));
   }
+  const bool stands = std::none_of(warnings.begin(), warnings.end(),
+                                   [](const Warning& each) { return each.code == WarningCode::kCannotStand; });
+  const Warnings moving = motionWarnings(MotionRates(*buildMatrixForm(vehicle, gravity)), stands);
+  warnings.insert(warnings.end(), moving.begin(), moving.end());
   return warnings;
 }
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "libvehicle/simulate/file_warnings.h"
-#include "libvehicle/statics/rest.h"
 #include "libvehicle/study/evaluate/mode_metrics.h"
 
 namespace vehicle {
@@ -56,10 +55,8 @@ Warning noIndex(const Plan& plan, const Influence& influence) {
 
 Warnings vehicleWarnings(const StudyInputs& inputs) {
   if (inputs.scenarios.empty()) return {};
-  const double gravity = inputs.scenarios.front().gravity;
-  const Topology topology = topologyOf(inputs.vehicle);
   try {
-    return fileWarnings(inputs.vehicle, topology, restOf(topology, gravity), gravity);
+    return fileWarnings(inputs.vehicle, inputs.scenarios.front().gravity);
   } catch (const InvalidInput&) {
     return {};  // it has no rest position: its designs say why
   }

@@ -47,6 +47,7 @@ class Case {
     plan();
     for (std::size_t i = 0; i < report_.runs.size() && !report_.stopped; ++i) run(i);
     if (!report_.stopped) judge();
+    if (!report_.stopped) warn();
     return std::move(report_);
   }
 
@@ -157,6 +158,17 @@ class Case {
       run.ending = RunEnding::kFailed;
       run.reason = failure.what();
     }
+  }
+
+  /// The reference once more, measured between its samples: a wheel may lift between two of them.
+  void warn() {
+    if (!finished(0)) return;
+    RunChoice choice;
+    choice.speed = choice_.run.speed;
+    choice.form = report_.runs[0].key.form;
+    choice.method = report_.runs[0].key.method;
+    choice.keep = Keep::kNothing;
+    report_.warnings = simulate(vehicle_, scenario_, choice).warnings;
   }
 
   [[nodiscard]] double timeLimitOf(const RunKey& shared) const {

@@ -8,6 +8,7 @@
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/suite.h"
 #include "libvehicle/definition/vehicle.h"
+#include "libvehicle/diagnostics/warning.h"
 #include "libvehicle/validation/agreement.h"
 #include "libvehicle/validation/plan.h"
 
@@ -38,6 +39,7 @@ struct ValidationReport {
   std::vector<ValidationRun> runs;  // number 0 is the reference: the exact solution of the matrix form
   std::vector<Misfit> misfits;
   std::vector<std::string> notes;
+  Warnings warnings;                // where vehicle or motion are outside what the model can say
   std::vector<PairAgreement> pairs;  // of every two runs; those with the reference first; none of an interrupted case
   bool stopped = false;              // ended early on request
 

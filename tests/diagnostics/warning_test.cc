@@ -1,4 +1,4 @@
-#include "libvehicle/diagnostics/warning.h"
+#include "libvehicle/diagnostics/warning_set.h"
 
 #include <cctype>
 #include <fstream>
@@ -21,6 +21,20 @@ TEST(Warning, TextIsOneLineWithPlaceSubjectRemedyAndCode) {
   warning.remedy = "run slower";
   EXPECT_EQ(warning.text(),
             "wagon.xml:7: warning: axle.load: -129 kN at t = 0.53 s; a rail only pushes; run slower [WHEEL_LOAD]");
+}
+
+TEST(WarningSet, IsWrittenInTheOrderOfTheCodesAndReadBack) {
+  WarningSet set;
+  EXPECT_TRUE(set.empty());
+  EXPECT_EQ(set.words(), "");
+  EXPECT_EQ(WarningSet::ofWords(""), set);
+  for (const WarningCode code : {WarningCode::kNothingJudged, WarningCode::kWheelLoad, WarningCode::kWheelLoad}) {
+    set.insert(code);
+  }
+  EXPECT_EQ(set.words(), "WHEEL_LOAD NOTHING_JUDGED");
+  EXPECT_EQ(WarningSet::ofWords(set.words()), set);
+  EXPECT_EQ(WarningSet::ofWords("WHEEL_LOAD OF_A_LATER_PROGRAM NOTHING_JUDGED"), set);
+  EXPECT_FALSE(set.contains(WarningCode::kLargeMotion));
 }
 
 TEST(WarningKinds, StandInTheOrderOfTheirCodesAndHaveAWordAndASentenceEach) {

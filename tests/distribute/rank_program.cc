@@ -129,6 +129,9 @@ int main(int argc, char** argv) {
       rows[each.design].assign(kColumns, -static_cast<double>(each.message.size()));
     }
     for (const DesignGap& each : batch.gaps) rows[each.design].push_back(static_cast<double>(each.message.size()));
+    for (const DesignWarnings& each : batch.warnings) {
+      rows[each.design].push_back(static_cast<double>(each.warnings.words().size()));
+    }
   };
   try {
     if (which == "stop") {

@@ -17,7 +17,7 @@ namespace vehicle::test {
 
 /// Rows by a function of design number and given numbers, so that executors and runners are tested without a vehicle.
 /// The function may throw: std::domain_error is the design's failure, everything else ends the study. A number that it
-/// makes NaN is a gap.
+/// makes NaN is a gap. Every 997th design has a warning.
 class FunctionEvaluator : public Evaluator {
  public:
   using Function = std::function<void(std::int64_t design, std::span<const double> given, std::span<double> row)>;
@@ -42,6 +42,10 @@ class FunctionEvaluator : public Evaluator {
           const auto gap = std::find_if(row.begin(), row.end(), [](double each) { return std::isnan(each); });
           if (gap != row.end()) {
             batch.gaps.push_back({design, "column " + std::to_string(gap - row.begin()) + ": no value"});
+          }
+          if (design % 997 == 5) {
+            batch.warnings.push_back({design, {}});
+            batch.warnings.back().warnings.insert(WarningCode::kLargeMotion);
           }
         } catch (const std::domain_error& error) {
           std::fill(row.begin(), row.end(), NAN);

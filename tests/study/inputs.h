@@ -39,6 +39,7 @@ struct Answers {
   std::vector<std::vector<double>> metrics;      // (designs x metrics)
   std::map<std::int64_t, std::string> problems;  // of the designs that failed
   std::map<std::int64_t, std::string> gaps;      // why others lack values
+  std::map<std::int64_t, std::string> warnings;  // words of those that have some
 };
 
 /// Evaluates designs given by their parameter values.
@@ -57,6 +58,7 @@ inline Answers answersOf(const StudyInputs& inputs, const std::vector<std::vecto
     }
     for (const DesignFailure& each : batch.failures) answers.problems[each.design] = each.message;
     for (const DesignGap& each : batch.gaps) answers.gaps[each.design] = each.message;
+    for (const DesignWarnings& each : batch.warnings) answers.warnings[each.design] = each.warnings.words();
   });
   return answers;
 }

@@ -148,14 +148,14 @@ class Computation {
       SteadyBlock block = rows.steadyBlock(b);
       std::fill_n(block.metrics, K * ensemble::kMetricRows * lanes, 0.0);
       block.amplitude = amplitude.size() == 0 ? nullptr : amplitude.data();
-      if (run_.extents == SteadyExtents::kNone) block.range = nullptr;
+      if (run_.doubts == SteadyDoubts::kIgnored) block.range = nullptr;
       kernels_.steady(block, choice, harmonics.data(), harmonics.count(), symmetric);
       if (samples_peaks) kernels_.extremes(block, choice, circle.data(), harmonics.count(), samples);
       for (std::size_t lane = 0; lane < used; ++lane) {
         const auto design = static_cast<std::size_t>(order[begin + lane]);
         const int place = static_cast<int>(begin + lane);
         if (block.range != nullptr) {
-          result.extents[number * designs_.size() + design] = {rows.range(place, 0), rows.range(place, 1)};
+          result.doubts[number * designs_.size() + design] = {rows.range(place, 0) > 0.0, rows.range(place, 1) > 0.0};
         }
         if (!summarise(rows, place, design, number, result)) {
           failed.push_back(static_cast<int>(design));
@@ -222,7 +222,7 @@ SteadyResult steadyEnsemble(std::span<const EnsembleDesign> designs, std::span<c
                             const SteadyRun& run) {
   SteadyResult result;
   result.summaries.resize(rails.size() * designs.size() * run.columns.size());
-  if (run.extents == SteadyExtents::kBounded) result.extents.resize(rails.size() * designs.size());
+  if (run.doubts == SteadyDoubts::kTold) result.doubts.resize(rails.size() * designs.size());
   Computation computation(designs, run);
   for (std::size_t number = 0; number < rails.size(); ++number) {
     checkRail(number, rails[number]);
@@ -242,7 +242,7 @@ SteadyResult steadyEnsembleEach(std::span<const EnsembleDesign> designs, std::sp
   }
   SteadyResult result;
   result.summaries.resize(designs.size() * run.columns.size());
-  if (run.extents == SteadyExtents::kBounded) result.extents.resize(designs.size());
+  if (run.doubts == SteadyDoubts::kTold) result.doubts.resize(designs.size());
   for (std::size_t i = 0; i < rails.size(); ++i) checkRail(i, rails[i]);
   if (run.amplitudes == SteadyAmplitudes::kKept && !rails.empty()) {
     const std::size_t F = rails[0]->angular_frequency.size();

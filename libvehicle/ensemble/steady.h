@@ -15,17 +15,15 @@ enum class SteadyPeaks {
              // amplitude of the highest order
 };
 enum class SteadyAmplitudes { kDropped, kKept };
-enum class SteadyExtents {
-  kNone,
-  kBounded,  // from the amplitudes: sqrt(F sum |X|^2) for F harmonics is never too small, and right for one
-};
+/// Whether designs are sorted out whose wheel loads or motions may leave what the model can say.
+enum class SteadyDoubts { kIgnored, kTold };
 
 /// What is asked of a steady state.
 struct SteadyRun {
   std::vector<FlatColumn> columns;
   SteadyPeaks peaks = SteadyPeaks::kNone;
   SteadyAmplitudes amplitudes = SteadyAmplitudes::kDropped;
-  SteadyExtents extents = SteadyExtents::kNone;
+  SteadyDoubts doubts = SteadyDoubts::kIgnored;
   Isa isa = bestIsa();
 };
 
@@ -36,13 +34,20 @@ struct SteadyFailure {
   int design = 0;
 };
 
+/// What a design may do, by a bound that is never too small: |X| of all harmonics at once, within a factor of about two.
+/// Without a doubt it does not.
+struct SteadyDoubt {
+  bool unloads = false;    // a wheel load below 0
+  bool moves_far = false;  // beyond kMostFlatPitch or kMostFlatTravel
+};
+
 struct SteadyResult {
   /// (rails x designs x columns), row-major. The mean holds static loads and the rail's constant height.
   std::vector<ColumnSummary> summaries;
   /// Of each rail, where kept: complex amplitudes X of Re[X e^(i w (t - begin))], shape (designs x columns x harmonics
   /// of that rail), row-major.
   std::vector<std::vector<std::complex<double>>> amplitudes;
-  std::vector<DesignExtent> extents;    // (rails x designs) where asked for: bounds of them
+  std::vector<SteadyDoubt> doubts;      // (rails x designs) where asked for
   std::vector<SteadyFailure> failures;  // by rail, then by design
 };
 

@@ -27,7 +27,7 @@ class SteadyEnsemblePath final : public Path {
         block_(inputs, Evaluation::kSteadyState),
         statistics_(std::max(kMostStatistics, inputs.bound.cases.size())) {
     for (std::size_t c = 0; c < inputs.bound.cases.size(); ++c) requests_.push_back(requestsOf(inputs.bound, c));
-    run_.extents = SteadyExtents::kBounded;
+    run_.doubts = SteadyDoubts::kTold;
     fine_.amplitudes = SteadyAmplitudes::kKept;
     const auto addRange = [this](FlatColumn first, int count, RangeKind kind) {
       for (int i = 0; i < count; ++i) {
@@ -80,8 +80,9 @@ class SteadyEnsemblePath final : public Path {
           const Answer answer{result.summaries.data() + (r * designs + i) * run_.columns.size(),
                               amplitudesOf(result, r, i, *rails[r]), *rails[r]};
           write(cases[r], i, answer, rows);
-          judgeRange(cases[r], i, result.extents[r * designs + i], *rails[r], rows);
+          if (isInDoubt(result.doubts[r * designs + i])) doubtful_.push_back(i);
         }
+        judgeDoubtful(cases[r], [&](std::size_t) { return rails[r]; }, rows);
       }
     }
   }
@@ -91,6 +92,7 @@ class SteadyEnsemblePath final : public Path {
     try {
       evaluateSome(study_case, 0, designs, rows);
     } catch (const std::invalid_argument&) {
+      doubtful_.clear();
       // A rail without common period, or with a harmonic less, is the matter of its own design.
       for (std::size_t i = 0; i < designs; ++i) {
         try {
@@ -114,28 +116,41 @@ class SteadyEnsemblePath final : public Path {
       const Answer answer{result.summaries.data() + i * run_.columns.size(), amplitudesOf(result, 0, i, *rails[i]),
                           *rails[i]};
       write(study_case, first + i, answer, rows);
-      judgeRange(study_case, first + i, result.extents[i], *rails[i], rows);
+      if (isInDoubt(result.doubts[i])) doubtful_.push_back(first + i);
     }
+    judgeDoubtful(study_case, [&](std::size_t place) { return rails[place - first]; }, rows);
   }
 
-  /// The bounds of most designs are within the range; the others are looked at closely.
-  void judgeRange(std::size_t study_case, std::size_t place, const DesignExtent& bounds, const InputSegment& rail,
-                  DesignRows& rows) {
-    const std::size_t row = block_.alive()[place];
+  static bool isInDoubt(const SteadyDoubt& doubt) { return doubt.unloads || doubt.moves_far; }
+
+  /// Looks closely at the few designs that may leave the range in this case, and forgets them.
+  /// @param railOf  of a place of the block
+  template <class RailOf>
+  void judgeDoubtful(std::size_t study_case, RailOf railOf, DesignRows& rows) {
+    if (doubtful_.empty()) return;
+    const std::vector<EnsembleDesign>& all = block_.designs(block_.groupOf(study_case));
+    std::vector<EnsembleDesign> designs;
+    std::vector<const InputSegment*> rails;
+    for (const std::size_t place : doubtful_) {
+      designs.push_back(all[place]);
+      rails.push_back(railOf(place));
+    }
+    const SteadyResult result = steadyEnsembleEach(designs, rails, fine_);
     const bool loads = inputs_.scenarios[inputs_.bound.cases[study_case].scenario].gravity > 0.0;
-    if (rows.failed(row) || !(bounds.largest_share > 1.0 || (loads && bounds.lowest_load < 0.0))) return;
-    const EnsembleDesign& design = block_.designs(block_.groupOf(study_case))[place];
-    const InputSegment* const rails[] = {&rail};
-    const SteadyResult result = steadyEnsemble({&design, 1}, rails, fine_);
-    SteadyStatistic& statistic = statistics_.of(rail.angular_frequency);
-    const std::size_t harmonics = rail.angular_frequency.size();
-    for (const RangeColumn& each : range_) {
-      if (each.kind == RangeKind::kLoad && !loads) continue;
-      const std::span amplitudes(result.amplitudes[0].data() + each.column * harmonics, harmonics);
-      if (leavesRange(each.kind, result.summaries[each.column].mean, amplitudes, statistic)) {
-        rows.warn(row, rangeCode(each.kind));
+    for (std::size_t i = 0; i < designs.size(); ++i) {
+      const std::size_t row = block_.alive()[doubtful_[i]];
+      const std::size_t harmonics = rails[i]->angular_frequency.size();
+      SteadyStatistic& statistic = statistics_.of(rails[i]->angular_frequency);
+      for (const RangeColumn& each : range_) {
+        if (rows.failed(row) || (each.kind == RangeKind::kLoad && !loads)) continue;
+        const std::size_t place = i * fine_.columns.size() + each.column;
+        const std::span amplitudes(result.amplitudes[0].data() + place * harmonics, harmonics);
+        if (leavesRange(each.kind, result.summaries[place].mean, amplitudes, statistic)) {
+          rows.warn(row, rangeCode(each.kind));
+        }
       }
     }
+    doubtful_.clear();
   }
 
   void leaveCaseEmpty(std::size_t study_case, std::size_t place, DesignRows& rows) const {
@@ -181,8 +196,9 @@ class SteadyEnsemblePath final : public Path {
   const StudyInputs& inputs_;
   FlatBlock block_;
   SteadyRun run_;
-  SteadyRun fine_;                  // of one design whose bounds leave the range
+  SteadyRun fine_;                  // of designs that are in doubt
   std::vector<RangeColumn> range_;  // among the columns of fine_
+  std::vector<std::size_t> doubtful_;  // places in the block
   std::vector<std::vector<ColumnRequest>> requests_;  // (cases)
   SteadyStatistics statistics_;
 };

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "apps/cli/document.h"
+#include "apps/cli/study_units.h"
 #include "libvehicle/result/column_summary.h"
 #include "libvehicle/units/channel.h"
 
@@ -13,5 +14,18 @@ namespace vehicle::cli {
 /// @param columns  "time" first   @param summaries  of the others
 [[nodiscard]] Table historyTable(const std::vector<Channel>& columns, const std::vector<ColumnSummary>& summaries,
                                  Format format);
+
+/// What a run at one of several speeds measured.
+struct HistorySummary {
+  double speed = 0.0;  // [m/s]
+  std::vector<ColumnSummary> columns;
+};
+
+/// Of speeds: km/h for people, else SI.
+[[nodiscard]] ShownUnit speedUnit(Format format);
+
+/// The same for several speeds: each column, speed by speed.
+[[nodiscard]] Table speedTable(const std::vector<Channel>& columns, const std::vector<HistorySummary>& runs,
+                               Format format);
 
 }  // namespace vehicle::cli

@@ -116,9 +116,6 @@ CLI::Option* addCount(CLI::App& command, const std::string& name, int& count, co
 }
 
 void addRunSettings(CLI::App& command, RunChoice& choice) {
-  addQuantity(command, "--speed", Dimension::kSpeed,
-              "running speed, e.g. \"20 m/s\", \"72 km/h\"   (default: from SCENARIO)",
-              [&choice](double value) { choice.speed = value; });
   addQuantity(command, "--step", Dimension::kTime,
               "rk4: largest step, shortened to end on samples and breakpoints of the rail\n(default: \"1 ms\", or less "
               "as the fastest motion asks)",

@@ -14,41 +14,23 @@
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
-#include "apps/cli/run_files.h"
 #include "apps/cli/run_options.h"
+#include "apps/cli/simulate_runs.h"
+#include "apps/cli/speeds.h"
 #include "apps/cli/thread_options.h"
 #include "libvehicle/simulate/stiffness.h"
 
 namespace vehicle::cli {
 namespace {
 
-struct Options {
-  ModelFiles files;
-  RunChoice choice;
-  std::vector<std::string> outputs;
-  Overwrite overwrite = Overwrite::kOwnFiles;
-  CommonOptions common;
-};
-
-int simulateAndStore(const Options& options, const CLI::App& command) {
-  requireOutputForOverwrite(command, {"--output"});
-  const Model model = readModel(options.files);
-  OutputGuard guard(options.overwrite);
-  protectModel(guard, model);
-  for (const std::string& output : options.outputs) guard.claim(output, "--output", OutputKind::kHistory);
-  requireRunOptionsUsed(command, options.choice, model);
-  printNotes(notesOn(model.scenario), options.common);
+int simulateOnce(const SimulateOptions& options, const Model& model) {
   const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
   RunResult result;
   {
     ProgressBar bar(shown, durationOf(model.scenario), "s");
-    RunChoice choice = options.choice;
-    choice.keep = options.outputs.empty() ? Keep::kNothing : Keep::kOutputs;
-    result =
-        simulate(model.vehicle, model.scenario, choice, [&](double share) { return bar.update(share, "simulate"); });
+    result = runAndStore(model, options.choice, options.outputs,
+                         [&](double share) { return bar.update(share, "simulate"); });
   }
-  const RunRecord record = recordOf(model, options.choice, result);
-  for (const std::string& output : options.outputs) writeHistory(output, record);
 
   Document document;
   document.facts = {{"vehicle", model.vehicle.name, ""},
@@ -82,10 +64,30 @@ int simulateAndStore(const Options& options, const CLI::App& command) {
   return kInterrupted;
 }
 
+int simulateAndStore(SimulateOptions options, const CLI::App& command) {
+  requireOutputForOverwrite(command, {"--output"});
+  const Model model = readModel(options.files);
+  const bool is_one = options.speeds.size() < 2;
+  if (options.speeds.size() == 1) options.choice.speed = options.speeds.front();
+  OutputGuard guard(options.overwrite);
+  protectModel(guard, model);
+  std::vector<std::string> outputs = options.outputs;
+  if (!is_one) {
+    outputs.clear();
+    for (const double speed : options.speeds) {
+      for (std::string& each : outputsAt(options, speed)) outputs.push_back(std::move(each));
+    }
+  }
+  for (const std::string& output : outputs) guard.claim(output, "--output", OutputKind::kHistory);
+  requireRunOptionsUsed(command, options.choice, model);
+  printNotes(notesOn(model.scenario), options.common);
+  return is_one ? simulateOnce(options, model) : simulateSpeeds(options, model);
+}
+
 }  // namespace
 
 Action addSimulate(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = program.add_subcommand("simulate", "simulate one vehicle over one track");
   addVehicleFile(*command, options->files);
   addScenarioFile(*command, options->files);
@@ -102,6 +104,11 @@ Action addSimulate(CLI::App& program) {
                    "(default: exact where it fits\nand there are 64 states or fewer, else dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));
+  addSpeeds(
+      *command,
+      "running speed, e.g. \"20 m/s\"; a list \"60 km/h, 80 km/h\" or a range \"80:10:160 km/h\"\nruns at each: one "
+      "table, and --output run.h5 becomes run-80kmh.h5, ...\n(default: from SCENARIO)",
+      options->speeds);
   addRunSettings(*command, options->choice);
   addSharing(*command, options->choice, "1");
   command
@@ -117,7 +124,7 @@ Action addSimulate(CLI::App& program) {
       "the motion itself, followed as closely as it asks for, whatever the output step.\n"
       "Threads change the time that a run takes and no bit of its result.\n"
       "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
-      "             --speed \"72 km/h\" --output run.h5 --output run.csv");
+      "             --speed \"60:20:120 km/h\" --output run.h5");
   return [options, command] { return simulateAndStore(*options, *command); };
 }
 

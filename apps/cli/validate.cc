@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,7 @@
 #include "apps/cli/options.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
+#include "apps/cli/speeds.h"
 #include "apps/cli/validation_options.h"
 #include "apps/cli/validation_tables.h"
 #include "libvehicle/project/suite_work.h"
@@ -41,7 +43,10 @@ ValidationWork readWork(const ModelFiles& named, const ValidationChoice& choice)
     throw std::invalid_argument("SCENARIO is missing, or a suite instead of VEHICLE");
   if (is_suite) return {readSuiteWork(named.vehicle, choice, disk).orThrow(), true};
   Model model = vehicle::readModel(named.vehicle, named.scenario, disk);
-  return {{{}, {std::move(model.vehicle)}, {std::move(model.scenario)}, {{0, 0, choice.run.speed}}, choice}, false};
+  std::vector<ValidationCase> cases;
+  for (const double speed : choice.speeds) cases.push_back({0, 0, speed});
+  if (cases.empty()) cases.push_back({0, 0, std::nullopt});
+  return {{{}, {std::move(model.vehicle)}, {std::move(model.scenario)}, std::move(cases), choice}, false};
 }
 
 std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOptions& common) {
@@ -62,12 +67,12 @@ std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOption
 }
 
 /// What runs of all cases warned of; of a vehicle itself once, of its motion with the case.
-Warnings warningsOf(const std::vector<ValidationReport>& reports, bool is_suite) {
+Warnings warningsOf(const std::vector<ValidationReport>& reports, bool has_several) {
   Warnings all;
   std::set<std::string> said;
   for (const ValidationReport& report : reports) {
     for (Warning each : report.warnings) {
-      if (is_suite && each.time) {
+      if (has_several && each.time) {
         each.subject = fmt::format("{} on {} at {:.4g} km/h: {}", report.vehicle, report.scenario, 3.6 * report.speed,
                                    each.subject);
       }
@@ -78,14 +83,14 @@ Warnings warningsOf(const std::vector<ValidationReport>& reports, bool is_suite)
 }
 
 /// @param warnings  all; of them `found` is yet to be printed
-void printReports(const std::vector<ValidationReport>& reports, bool is_suite, const Warnings& warnings,
+void printReports(const std::vector<ValidationReport>& reports, bool has_several, const Warnings& warnings,
                   const Warnings& found, const Options& options) {
   const bool all = options.details || options.common.format != Format::kTable;
   Document document =
-      is_suite ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
+      has_several ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
   addWarnings(warnings, options.common, document);
   // A case that was interrupted has nothing to show but that.
-  if (is_suite || !reports.front().stopped) print(document, options.common.format, std::cout);
+  if (has_several || !reports.front().stopped) print(document, options.common.format, std::cout);
   std::cout.flush();
   printWarnings(found);
   for (const ValidationReport& report : reports) {
@@ -100,9 +105,9 @@ int validateAll(const Options& options, const CLI::App& command) {
   if (work.is_suite) warnings = unjudgedOf(work.cases);
   printWarnings(warnings);
   const std::vector<ValidationReport> reports = runCases(work.cases, options.common);
-  const Warnings found = warningsOf(reports, work.is_suite);
+  const Warnings found = warningsOf(reports, work.hasSeveral());
   warnings.insert(warnings.end(), found.begin(), found.end());
-  printReports(reports, work.is_suite, warnings, found, options);
+  printReports(reports, work.hasSeveral(), warnings, found, options);
   const ExitStatus status = exitStatusOf(reports, options.allow_unjudged ? Unjudged::kAccept : Unjudged::kFail);
   if (reports.back().stopped) {
     std::cerr << fmt::format("vehicle: interrupted; {} of {} cases are finished\n", reports.size() - 1,
@@ -110,7 +115,7 @@ int validateAll(const Options& options, const CLI::App& command) {
     return status;
   }
   // Of a suite the warnings have said it.
-  if (const std::string why = whyNothing(reports.front()); !work.is_suite && !why.empty()) {
+  if (const std::string why = whyNothing(reports.front()); !work.hasSeveral() && !why.empty()) {
     std::cerr << "vehicle: " << why << '\n';
   }
   const bool left_out = std::any_of(reports.begin(), reports.end(),
@@ -145,6 +150,11 @@ Action addValidate(CLI::App& program) {
             "variants)");
   add_names("--method", options->choice.methods, methodNames(),
             "only this method; may be given several times   (default: all)");
+  addSpeeds(
+      *command,
+      "running speed, e.g. \"20 m/s\"; a list \"60 km/h, 80 km/h\" or a range \"80:10:160 km/h\"\nmakes a case of "
+      "each   (default: from SCENARIO or SUITE)",
+      options->choice.speeds);
   addRunSettings(*command, options->choice.run);
   command->add_flag_callback("--serial", [options] { options->choice.shared.clear(); },
                              "omit the runs that threads share   (default: those of the form flat run too)");

@@ -58,7 +58,7 @@ void requireSharedRunsFor(const CLI::App& command, const ValidationWork& work, b
   const std::string why = serial ? "--serial omits the runs that threads share" : none;
   if (command.count("--time-limit") > 0) refuse("--time-limit", why, "omit it");
   // A suite may have cases of which nothing can be judged for other reasons.
-  if (command.count("--allow-unjudged") > 0 && !work.is_suite) refuse("--allow-unjudged", why, "omit it");
+  if (command.count("--allow-unjudged") > 0 && !work.hasSeveral()) refuse("--allow-unjudged", why, "omit it");
 }
 
 }  // namespace
@@ -68,8 +68,9 @@ void requireValidationOptionsUsed(const CLI::App& command, const ValidationWork&
   requireOnce("--form", given.forms);
   requireOnce("--method", given.methods);
   requireSpeedUsed(command, work.cases.scenarios);
-  if (command.count("--details") > 0 && work.is_suite) {
-    refuse("--details", "a suite prints one line for each case", "omit it, or validate one vehicle and scenario");
+  if (command.count("--details") > 0 && work.hasSeveral()) {
+    refuse("--details", work.is_suite ? "a suite prints one line for each case" : "several speeds print one line each",
+           work.is_suite ? "omit it, or validate one vehicle and scenario" : "omit it, or give one speed");
   }
   if (command.count("--details") > 0 && common.format != Format::kTable) {
     refuse("--details", "csv and json hold every detail always", "omit it");

@@ -11,6 +11,8 @@ namespace vehicle::cli {
 struct ValidationWork {
   SuiteWork cases;
   bool is_suite = false;
+  /// A suite, or one vehicle and scenario at several speeds: one line for each case.
+  [[nodiscard]] bool hasSeveral() const { return is_suite || cases.cases.size() > 1; }
 };
 
 /// Options of `validate` that would have no effect beside the others and the files given are refused: settings that no

@@ -8,6 +8,21 @@
 
 namespace vehicle {
 
+namespace {
+
+std::vector<ValidationCase> atSpeeds(const std::vector<double>& speeds, const std::vector<ValidationCase>& cases) {
+  std::vector<ValidationCase> all;
+  for (ValidationCase each : cases) {
+    for (const double speed : speeds) {
+      each.speed = speed;
+      all.push_back(each);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice, FileSource& files) {
   Outcome<Suite> suite = draftSuite(file, files);
   if (!suite.value) return {std::nullopt, std::move(suite.problems)};
@@ -24,12 +39,10 @@ Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice
   problems.append(named.problems());
   problems.append(checkNames(*suite.value));
   if (problems.empty()) {
-    if (choice.run.speed) suite.value->speeds.clear();
+    if (!choice.speeds.empty()) suite.value->speeds.clear();
     work.suite = std::move(*suite.value);
     work.cases = casesOf(work.suite);
-    if (choice.run.speed) {
-      for (ValidationCase& each : work.cases) each.speed = choice.run.speed;
-    }
+    if (!choice.speeds.empty()) work.cases = atSpeeds(choice.speeds, work.cases);
     work.choice = choiceOf(work.suite, choice);
     problems = checkCases(work);
   }

@@ -21,7 +21,7 @@ struct SuiteWork {
 
 /// Reads a suite and all files that it names. Problems of all of them are reported together: unknown forms and methods,
 /// vehicles that cannot run over a scenario at one of the speeds, cases whose histories would not fit in memory.
-/// @param choice  forms and methods of the command line take the place of the suite's; its speed that of all speeds
+/// @param choice  forms and methods of the command line take the place of the suite's; its speeds that of all
 [[nodiscard]] Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice,
                                                FileSource& files);
 

@@ -26,6 +26,7 @@ struct SharedColumn {
 struct ValidationChoice {
   std::vector<std::string> forms;    // empty: all but the printed variants
   std::vector<std::string> methods;  // empty: all, bounce and pitch apart where the vehicle is symmetric
+  std::vector<double> speeds;        // [m/s] of all cases; empty: those of the suite or of the scenario
   RunChoice run;                     // speed, step and tolerances of every run; form, method, refine and threads are
                                      // not read
   std::vector<SharedColumn> shared = usualSharedColumns();  // each beside its serial run, where that is run

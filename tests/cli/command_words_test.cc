@@ -18,8 +18,8 @@ std::string valueFor(const std::string& option, const std::string& type) {
       {"--format", "csv"}, {"--form", "matrix"},  {"--method", "rk4"},   {"--scheme", "serial"},
       {"--map", "auto"},   {"--waiting", "spin"}, {"--pinning", "free"}, {"--priority", "fifo"}};
   static const std::map<std::string, std::string> by_type = {
-      {"N", "2"},        {"SPEED", "1 m/s"}, {"TIME", "1 ms"}, {"NUMBER", "1e-6"}, {"ACCELERATION", "1 m/s^2"},
-      {"FILE", "a.csv"}, {"FOLDER", "best"}};
+      {"N", "2"},         {"SPEED", "1 m/s"},          {"SPEEDS", "1 m/s"}, {"TIME", "1 ms"},
+      {"NUMBER", "1e-6"}, {"ACCELERATION", "1 m/s^2"}, {"FILE", "a.csv"},   {"FOLDER", "best"}};
   const auto own = by_option.find(option);
   return own != by_option.end() ? own->second : by_type.at(type);
 }

@@ -74,7 +74,9 @@ void ModeMetrics::evaluate(std::size_t row, DesignRows& rows) {
 }
 
 void ModeMetrics::write(std::size_t row, const Base& base, const Model& design, DesignRows& rows) {
-  const std::vector<FollowedMode> followed = follow(rows.parameters(row), base, design);
+  // Straight from matrix to matrix: what a mode is called depends on the two systems alone, not on what was varied.
+  const std::vector<FollowedMode> followed =
+      base.follower.follow([&](double t) -> Eigen::MatrixXd { return (1.0 - t) * base.A + t * design.A; });
   std::vector<UndampedMode> undamped;
   for (const MetricPlace& each : metrics_) {
     const std::optional<std::size_t> mode = base.follower.find(each.metric.subject);
@@ -100,19 +102,6 @@ void ModeMetrics::write(std::size_t row, const Base& base, const Model& design, 
       rows.leaveEmpty(row, each.place, std::move(why));
     }
   }
-}
-
-std::vector<FollowedMode> ModeMetrics::follow(std::span<const double> values, const Base& base, const Model& design) {
-  std::vector<double> between(values.size());
-  return base.follower.follow([&](double t) -> Eigen::MatrixXd {
-    if (t == 1.0) return design.A;
-    for (std::size_t i = 0; i < between.size(); ++i) between[i] = (1.0 - t) * base_values_[i] + t * values[i];
-    try {
-      return modelOf(between, base.form).A;
-    } catch (const std::exception&) {
-      return (1.0 - t) * base.A + t * design.A;
-    }
-  });
 }
 
 Warnings ModeMetrics::unknownModes() {

@@ -14,10 +14,10 @@
 namespace vehicle {
 
 /// Metrics of natural modes. A name means the mode of the study's own vehicle (the design "base") that is called so,
-/// and of any design what this mode has become on the straight line of parameter values from the base to the design.
+/// and of any design what this mode has become on the straight line from the matrix of the base to that of the design.
 ///
-/// Modes are those of the form that simulate() would take for the base, under the gravity of the first scenario. Where
-/// no vehicle stands between the two (a check refuses it), the straight line between the matrices is taken.
+/// Modes are those of the form that simulate() would take for the base, under the gravity of the first
+/// scenario.
 class ModeMetrics {
  public:
   /// @param inputs  outlives the object
@@ -45,7 +45,6 @@ class ModeMetrics {
   [[nodiscard]] Model modelOf(std::span<const double> values, const std::string& form);
   const Base& baseIn(const std::string& form);
   void write(std::size_t row, const Base& base, const Model& design, DesignRows& rows);
-  std::vector<FollowedMode> follow(std::span<const double> values, const Base& base, const Model& design);
 
   const StudyInputs& inputs_;
   std::vector<MetricPlace> metrics_;  // of modes

@@ -58,7 +58,7 @@ struct FollowedMode {
 ///     eigenvalue and shape are continuous, and beyond the branch has the other one's shape.
 ///   - Modes that coincide, as those of equal bogies, are followed by their common subspace. Where they part, shapes
 ///     choose the branch, and order where shapes do not.
-///   - Two modes that meet in a double root with one shape are lost: beyond it neither can be told from the other.
+///   - Two modes that meet in a double root with one shape are lost: beyond it nothing distinguishes them.
 /// The result depends on base and path alone. Cost: two Schur decompositions a path for a clear one, some tens where
 /// modes meet.
 class ModeFollower {

@@ -18,7 +18,7 @@ struct Stretch {
   double begin = 0.0;  // [s]
   double end = 0.0;    // [s]
   int sample = -1;     // number of the sample at `end`, or -1
-  int next = 0;        // the segment that holds right after `end`: what an observer of the sample there is told
+  int next = 0;        // the segment that holds right after `end`: what an observer of the sample there gets
   int output = -1;     // number of the output sample at `end`, or -1
   int regular = -1;    // number of the point of the regular grid at `end`, or -1 (Sampling)
   double whole = 0.0;  // [s] the length that is meant where it is a whole step of the grid; 0: another length

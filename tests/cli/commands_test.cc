@@ -110,8 +110,8 @@ TEST(ModesCommand, AnAperiodicModeHasNoDampedFrequencyButThatOfItsMassesAndStiff
   const ProgramRun run = runVehicle({"modes", folder.file("v.xml", text), "--format", "json"});
   ASSERT_EQ(run.status, 0) << run.err;
   std::vector<double> rates;
-  const Json told = Json::parse(run.out);
-  for (const Json& mode : told["tables"]["modes"]["rows"]) {
+  const Json answer = Json::parse(run.out);
+  for (const Json& mode : answer["tables"]["modes"]["rows"]) {
     if (!mode["name"].get<std::string>().starts_with("carbody pitch, aperiodic")) continue;
     rates.push_back(mode["frequency"]);
     EXPECT_TRUE(mode["damped frequency"].is_null());
@@ -246,10 +246,10 @@ TEST(SimulateCommand, AStiffRunOfDopri5NamesWhatWouldDoBetter) {
                R"( mass="1.5 t" contact_stiffness="2.4 GN/m" contact_damping="50 MN*s/m")");
   const std::vector<std::string> run = {"simulate", folder.file("v.xml", stiff),
                                         folder.file("s.xml", smallScenario(kRun)), "--method", "dopri5"};
-  const ProgramRun told = runVehicle(run);
-  EXPECT_EQ(told.status, 0) << told.err;
-  EXPECT_EQ(told.err.rfind("note: dopri5 took ", 0), 0u) << told.err;
-  EXPECT_TRUE(told.err.ends_with("take --method exact, which needs no steps\n")) << told.err;
+  const ProgramRun answer = runVehicle(run);
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(answer.err.rfind("note: dopri5 took ", 0), 0u) << answer.err;
+  EXPECT_TRUE(answer.err.ends_with("take --method exact, which needs no steps\n")) << answer.err;
   std::vector<std::string> exact = run;
   exact.back() = "exact";
   EXPECT_EQ(runVehicle(exact).err, "");

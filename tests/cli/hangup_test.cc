@@ -12,7 +12,7 @@
 namespace vehicle::test {
 namespace {
 
-/// The program has told the system which signals it takes itself: it catches SIGTERM.
+/// The program has asked the system for the signals that it takes itself: it catches SIGTERM.
 /// Source: proc(5), SigCgt: bit n - 1 stands for signal n.
 bool catchesSignals(const RunningProgram& program) {
   std::istringstream status(textOf("/proc/" + std::to_string(program.process) + "/status"));

@@ -222,9 +222,9 @@ TEST(StudyCommand, AModeThatTheVehicleLacksIsAWarningAndItsValuesAreEmpty) {
   const ProgramRun shown = runVehicle({"study", "show", database, "--format", "json", "--strict"});
   EXPECT_EQ(shown.status, 4);
   EXPECT_EQ(shown.err, "study.xml" + tail);  // the file that the database keeps
-  const nlohmann::json told = nlohmann::json::parse(shown.out);
-  EXPECT_EQ(told["tables"]["warnings"]["rows"][0]["code"], "UNKNOWN_MODE");
-  EXPECT_EQ(told["tables"]["warnings"]["rows"][0]["line"], 9);
+  const nlohmann::json answer = nlohmann::json::parse(shown.out);
+  EXPECT_EQ(answer["tables"]["warnings"]["rows"][0]["code"], "UNKNOWN_MODE");
+  EXPECT_EQ(answer["tables"]["warnings"]["rows"][0]["line"], 9);
 }
 
 TEST(StudyCommand, DoubtfulSaltelliPlansWarnBeforeAndAfter) {

@@ -84,10 +84,10 @@ TEST(StudyTable, JsonAndCsvHoldTheNumbersOfTheClosedForm) {
   const std::string database = folder.path("study.sqlite");
   const ProgramRun json = runVehicle({"study", smallStudyIn(folder), "--output", database, "--format", "json"});
   ASSERT_EQ(json.status, 0) << json.err;
-  const Json told = Json::parse(json.out);
-  EXPECT_EQ(told["facts"]["designs"]["value"], 3);
-  EXPECT_EQ(told["facts"]["within limits"]["value"], 2);
-  const Json rows = told["tables"]["comparison"]["rows"];
+  const Json answer = Json::parse(json.out);
+  EXPECT_EQ(answer["facts"]["designs"]["value"], 3);
+  EXPECT_EQ(answer["facts"]["within limits"]["value"], 2);
+  const Json rows = answer["tables"]["comparison"]["rows"];
   ASSERT_EQ(rows.size(), 15u);  // 3 designs of 2 parameters and 3 metrics
   EXPECT_EQ(rows[5]["design"], "soft");
   EXPECT_EQ(rows[5]["quantity"], "spring.stiffness_z");
@@ -178,9 +178,9 @@ TEST(StudyTable, PairsOfFactorsStandInEveryFormat) {
   const ProgramRun json = runVehicle({"study", study, "--output", database, "--format", "json"});
   ASSERT_EQ(json.status, 0) << json.err;
   EXPECT_EQ(json.err, "");
-  const Json told = Json::parse(json.out);
-  EXPECT_EQ(told["facts"]["designs"]["value"], 1 + 32 * 8);
-  const Json rows = told["tables"]["what pairs of factors do"]["rows"];
+  const Json answer = Json::parse(json.out);
+  EXPECT_EQ(answer["facts"]["designs"]["value"], 1 + 32 * 8);
+  const Json rows = answer["tables"]["what pairs of factors do"]["rows"];
   ASSERT_EQ(rows.size(), 3u);
   for (const Json& row : rows) {
     EXPECT_EQ(row["metric"], "carbody.az.rms");
@@ -234,10 +234,10 @@ TEST(StudyTable, ValuesThatAreMissingAreEmptyInEveryFormatAndTheirReasonIsCounte
 
   const ProgramRun json = runVehicle({"study", "show", database, "--format", "json"});
   ASSERT_EQ(json.status, 0) << json.err;
-  const Json told = Json::parse(json.out);
-  EXPECT_EQ(told["tables"]["missing values"]["rows"][0]["designs"], 5);
+  const Json answer = Json::parse(json.out);
+  EXPECT_EQ(answer["tables"]["missing values"]["rows"][0]["designs"], 5);
   int nulls = 0;
-  for (const Json& row : told["tables"]["comparison"]["rows"]) {
+  for (const Json& row : answer["tables"]["comparison"]["rows"]) {
     if (!row["value"].is_null()) continue;
     EXPECT_EQ(row["quantity"], "mode.carbody pitch.frequency");
     EXPECT_TRUE(row["change"].is_null());

@@ -43,7 +43,7 @@ TEST(ModeFollowing, UncoupledModesPassEachOtherAndKeepTheirNames) {
   for (const double end : {0.5, 3.999999, 4.0, 4.000001, 9.0, 100.0}) {
     const auto path = [&](double t) { return twoMasses(1.0 + t * (end - 1.0), 4.0, 0.0); };
     // Equal dampings: |lambda| is the undamped frequency, to the rounding of an eigenvalue of size 10. Roots that
-    // coincide within 1e-6 are not told apart.
+    // coincide within 1e-6 are not distinguished.
     const double rounding = std::abs(end - 4.0) < 1e-5 ? 4e-7 : 1e-14;
     EXPECT_WITHIN(std::abs(valueOf(followed(follower, path, "a bounce"))), std::sqrt(end), rounding) << end;
     EXPECT_WITHIN(std::abs(valueOf(followed(follower, path, "b bounce"))), 2.0, rounding) << end;
@@ -160,7 +160,7 @@ TEST(ModeFollowing, EqualBogiesPartByTheirShapes) {
       };
       const double front = pitch(2440e3 * (changed == 0 ? share : 1.0));
       const double rear = pitch(2440e3 * (changed == 1 ? share : 1.0));
-      // Roots that coincide within 1e-6 are not told apart.
+      // Roots that coincide within 1e-6 are not distinguished.
       const double rounding = std::abs(share - 1.0) < 1e-6 ? 1e-7 : 1e-12;
       EXPECT_WITHIN(std::abs(valueOf(followed(follower, path, "front_bogie pitch"))), front, rounding) << share;
       EXPECT_WITHIN(std::abs(valueOf(followed(follower, path, "rear_bogie pitch"))), rear, rounding) << share;

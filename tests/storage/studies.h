@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libvehicle/storage/study_database.h"
+#include "tests/support/test_folder.h"
 
 // A study whose numbers follow from the design's id, so that what comes back can be judged without a second copy.
 namespace vehicle::test {
@@ -50,6 +53,19 @@ inline DesignBatch batchOf(const StudyRecord& record, std::uint64_t first, std::
   DesignBatch batch(record.parameters.size(), record.metrics.size());
   for (std::uint64_t id = first; id < end; ++id) addDesign(batch, id);
   return batch;
+}
+
+/// What a call says when it refuses, without the folder's name.
+inline std::string refusalOf(const TestFolder& folder, const std::function<void()>& call) {
+  std::string text = "no refusal";
+  try {
+    call();
+  } catch (const std::exception& error) {
+    text = error.what();
+  }
+  const std::string root = folder.path("");
+  for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root)) text.erase(at, root.size());
+  return text;
 }
 
 }  // namespace vehicle::test

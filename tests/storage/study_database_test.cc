@@ -24,22 +24,10 @@ using test::batchOf;
 using test::hasFailed;
 using test::metricsOfDesign;
 using test::parametersOfDesign;
+using test::refusalOf;
 using test::smallStudy;
 using test::TestFolder;
 using test::textOf;
-
-/// What a call says when it refuses, without the folder's name.
-std::string refusalOf(const TestFolder& folder, const std::function<void()>& call) {
-  std::string text = "no refusal";
-  try {
-    call();
-  } catch (const std::exception& error) {
-    text = error.what();
-  }
-  const std::string root = folder.path("");
-  for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root)) text.erase(at, root.size());
-  return text;
-}
 
 TEST(StudyDatabase, WhatIsStoredComesBackToTheSameBitsInTheOrderOfIds) {
   const TestFolder folder;

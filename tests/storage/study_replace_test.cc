@@ -15,6 +15,7 @@ namespace vehicle {
 namespace {
 
 using test::batchOf;
+using test::refusalOf;
 using test::smallStudy;
 using test::TestFolder;
 
@@ -32,19 +33,6 @@ class SqliteWriter {
  private:
   sqlite3* handle_ = nullptr;
 };
-
-/// What a call says when it refuses, without the folder's name.
-std::string refusalOf(const TestFolder& folder, const std::function<void()>& call) {
-  std::string text = "no refusal";
-  try {
-    call();
-  } catch (const std::exception& error) {
-    text = error.what();
-  }
-  const std::string root = folder.path("");
-  for (std::size_t at = text.find(root); at != std::string::npos; at = text.find(root)) text.erase(at, root.size());
-  return text;
-}
 
 TEST(StudyDatabase, AnEmptyFileIsTakenForANewOneAndALinkIsFollowed) {
   const TestFolder folder;

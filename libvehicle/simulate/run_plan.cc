@@ -18,7 +18,7 @@ std::optional<Warning> stepWarning(double step, double duration, const MotionRat
   warning.code = grows ? WarningCode::kUnstableStep : WarningCode::kCoarseStep;
   warning.subject = option;
   warning.value = step;
-  warning.unit = "s";
+  warning.unit = std::string("s");
   warning.message =
       fmt::format("a step of {:.4g} ms times the fastest motion of {:.4g} rad/s is {:.3g}; {}", 1e3 * step,
                   rates.fastest(), step * rates.fastest(),

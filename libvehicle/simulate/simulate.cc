@@ -63,7 +63,7 @@ Warning coarseSamples(const Schedule& schedule) {
   Warning warning;
   warning.code = WarningCode::kCoarseSamples;
   warning.value = schedule.outputStep() / schedule.cut();
-  warning.unit = "s";
+  warning.unit = std::string("s");
   warning.message = fmt::format(
       "peaks, means and r.m.s. are of samples {:.3g} ms apart, too few for the fastest motion of so "
       "long a run",

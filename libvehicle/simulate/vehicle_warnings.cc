@@ -69,7 +69,7 @@ void addStance(const Topology& topology, const Rest& rest, Warnings& warnings) {
       const double rate = std::sqrt(-squared(k));
       warning.code = WarningCode::kCannotStand;
       warning.value = rate;
-      warning.unit = "1/s";
+      warning.unit = std::string("1/s");
       warning.message = fmt::format(
           "the vehicle cannot stand: springs and heights leave a negative stiffness, a push grows by e every {:.3g} s",
           1.0 / rate);
@@ -111,7 +111,7 @@ void addGivenLoads(const TopologyPart& part, const Rest& rest, double gravity, W
   warning.place = given->origin;
   warning.subject = given->name + ".load";
   warning.value = load - weight;
-  warning.unit = "N";
+  warning.unit = std::string("N");
   warning.message =
       fmt::format("the wheel loads that the file gives sum to {:.5g} kN with the others, the weight is {:.5g} kN",
                   load / 1e3, weight / 1e3);
@@ -130,7 +130,7 @@ void addRestDeflections(const Topology& topology, const Rest& rest, Warnings& wa
     warning.place = suspension.origin;
     warning.subject = suspension.name;
     warning.value = deflection;
-    warning.unit = "m";
+    warning.unit = std::string("m");
     warning.message =
         fmt::format("comes down by {:.4g} mm at rest under {:.4g} kN; railway springs have less travel than {:g} mm",
                     1e3 * deflection, rest.suspension_load[s] / 1e3, 1e3 * kMostRestDeflection);
@@ -166,7 +166,7 @@ Warnings motionWarnings(const MotionRates& rates, bool can_stand) {
     Warning warning;
     warning.code = WarningCode::kUnstableMode;
     warning.value = growth;
-    warning.unit = "1/s";
+    warning.unit = std::string("1/s");
     warning.message = fmt::format("a motion grows by itself, by e every {:.3g} s", 1.0 / growth);
     warning.remedy = "`vehicle modes` names it";
     warnings.push_back(std::move(warning));

@@ -16,8 +16,8 @@ Eigen::MatrixXd oscillator(double w, double zeta) { return Eigen::MatrixXd{{0.0,
 class Chain : public System {
  public:
   Chain(int masses, double stiffness) : N_(static_cast<std::size_t>(masses)), k_(stiffness) {
-    for (std::size_t i = 0; i < N_; ++i) channels_.push_back({"m" + std::to_string(i) + ".z", "m"});
-    for (std::size_t i = 0; i < N_; ++i) channels_.push_back({"m" + std::to_string(i) + ".vz", "m/s"});
+    for (std::size_t i = 0; i < N_; ++i) channels_.push_back({std::string("m").append(std::to_string(i)).append(".z"), "m"});
+    for (std::size_t i = 0; i < N_; ++i) channels_.push_back({std::string("m").append(std::to_string(i)).append(".vz"), "m/s"});
   }
   int channels() const override { return 0; }
   const std::vector<Channel>& states() const override { return channels_; }

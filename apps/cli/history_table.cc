@@ -1,14 +1,21 @@
 #include "apps/cli/history_table.h"
 
-#include "apps/cli/study_units.h"
+#include "apps/cli/engineering_units.h"
 
 namespace vehicle::cli {
 
 Table historyTable(const std::vector<Channel>& columns, const std::vector<ColumnSummary>& summaries, Format format) {
-  Table table{
-      "columns",
-      {{"column", ""}, {"unit", ""}, {"min", ""}, {"max", ""}, {"peak", ""}, {"at", "s"}, {"mean", ""}, {"rms", ""}},
-      {}};
+  Table table{"columns",
+              {{"column", ""},
+               {"unit", ""},
+               {"min", ""},
+               {"max", ""},
+               {"peak", ""},
+               {"at", "s", ColumnUnit::kAsGiven},
+               {"mean", ""},
+               {"rms", ""}},
+              {},
+              2};
   for (std::size_t j = 0; j < summaries.size(); ++j) {
     const ColumnSummary& summary = summaries[j];
     const Channel& column = columns[j + 1];

@@ -1,9 +1,15 @@
-# The library as others find it: find_package(vehicle), then vehicle::<room> and "libvehicle/<room>/<file>.h".
+# The library as others find it: find_package(vehicle), then vehicle::vehicle or vehicle::<room>, and
+# "libvehicle/<room>/<file>.h".
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vehicle)
 
 get_property(rooms GLOBAL PROPERTY vehicle_rooms)
-install(TARGETS ${rooms} EXPORT vehicleTargets ARCHIVE FILE_SET HEADERS)
+# All rooms at once.
+add_library(vehicle_all INTERFACE)
+add_library(vehicle::vehicle ALIAS vehicle_all)
+set_target_properties(vehicle_all PROPERTIES EXPORT_NAME vehicle)
+target_link_libraries(vehicle_all INTERFACE ${rooms})
+install(TARGETS ${rooms} vehicle_all EXPORT vehicleTargets ARCHIVE FILE_SET HEADERS)
 install(EXPORT vehicleTargets NAMESPACE vehicle:: DESTINATION ${package_dir})
 configure_package_config_file(vehicleConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/vehicleConfig.cmake
                               INSTALL_DESTINATION ${package_dir})

@@ -10,6 +10,7 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/options.h"
 #include "apps/cli/remarks.h"
+#include "apps/cli/stdout_page.h"
 #include "libvehicle/project/check_file.h"
 #include "libvehicle/xml/text_guard.h"
 
@@ -77,7 +78,7 @@ int checkFiles(const std::vector<std::string>& files, const CommonOptions& commo
   }
   Document document{{}, {table}, {}};
   addWarnings(warnings, common, document);
-  if (common.format != Format::kTable) print(document, common.format, std::cout);
+  if (common.format != Format::kTable) printToStdout(document, common.format);
   std::cout.flush();  // the verdicts stand before what is said about them
   for (const Judged& judged : all) printNotes(judged.found.notes, common);
   printWarnings(warnings);
@@ -95,7 +96,7 @@ Action addCheck(CLI::App& program) {
   CLI::App* command = program.add_subcommand("check", "check files of any kind and print every problem");
   command
       ->add_option("files", options->files,
-                   "files of any kind, - for standard input (<stdin> in messages); each scenario is\n"
+                   "files of any kind, - for standard input (<stdin> in messages); each scenario is "
                    "also checked together with each vehicle and train given")
       ->type_name("FILE")
       ->required()

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "apps/cli/text_wrap.h"
+
 namespace vehicle::cli {
 
 enum class Format {
@@ -35,29 +37,39 @@ struct Fact {
   std::string unit;
 };
 
+/// In which unit a table for people shows the numbers of a column.
+enum class ColumnUnit {
+  kHandy,    // that of engineering_units.h for their size
+  kAsGiven,  // the unit of the column: a place beside others, a unit that was chosen for several tables
+};
+
 struct TableColumn {
   std::string name;
   std::string unit;
+  ColumnUnit shown = ColumnUnit::kHandy;
 };
 
 struct Table {
   std::string name;
   std::vector<TableColumn> columns;
   std::vector<std::vector<Cell>> rows;  // each as long as `columns`
-  std::size_t key_columns = 0;          // lead every part of a table that is parted for its width; 0: it never is
+  std::size_t key_columns = 1;          // lead every part of a table that is parted for its width
 };
 
-/// What a command has to say on stdout: facts, tables, remarks.
+/// What a command prints on stdout: facts, tables, remarks. Numbers are in SI, times of single
+/// steps in ns and us.
 struct Document {
   std::vector<Fact> facts;
   std::vector<Table> tables;
   std::vector<std::string> remarks;
 };
 
-/// table  for eyes: aligned columns, 5 significant digits; a table without rows is left out. Where it is wider than 120
-///        letters, headers are broken at dots and spaces; where it still is, a table with key columns is parted
-/// csv    the tables alone, an empty line between two; every number reads back to the same bits
-/// json   one object: facts {name: {value, unit}}, tables {name: {units, rows}}, remarks; what is not finite is null
-void print(const Document& document, Format format, std::ostream& out);
+/// table  for people: aligned columns, 5 significant digits, handy units; a table without rows is left out. Where it is
+///        wider than the page, headers are broken at dots and spaces, then it is parted below its key columns, and long
+///        texts are wrapped between words: nothing is cut
+/// csv    the tables alone in SI, an empty line between two; every number reads back to the same bits
+/// json   one object in SI: facts {name: {value, unit}}, tables {name: {units, rows}}, remarks; what is not finite is null
+/// @param width  of the page in letters; of `table` only
+void print(const Document& document, Format format, std::ostream& out, std::size_t width = kAnyWidth);
 
 }  // namespace vehicle::cli

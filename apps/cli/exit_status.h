@@ -12,9 +12,10 @@ enum ExitStatus : int {
   kInterrupted = 130,       // Ctrl-C (128 + SIGINT as shells count), SIGTERM or SIGHUP; what was done is saved
 };
 
+/// What follows "Exit status: ".
 inline constexpr const char* kExitStatusHelp =
-    "Exit status: 0 done; 1 an input file is wrong; 2 this command line is wrong; 3 the run failed;\n"
-    "             4 a check did not hold, or with --strict a warning was given;\n"
-    "             130 interrupted by Ctrl-C, SIGTERM or SIGHUP, what was done is saved.";
+    "0 done; 1 an input file is wrong; 2 this command line is wrong; 3 the run failed;\n"
+    "4 a check did not hold, or with --strict a warning was given;\n"
+    "130 interrupted by Ctrl-C, SIGTERM or SIGHUP, what was done is saved.";
 
 }  // namespace vehicle::cli

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/cli/engineering_units.h"
+
 namespace vehicle::cli {
 
 namespace {
@@ -18,7 +20,7 @@ Table emptyTable(std::vector<TableColumn> leading) {
   Table table{"columns", std::move(leading), {}};
   table.key_columns = table.columns.size();
   for (const char* name : {"min", "max", "peak"}) table.columns.push_back({name, ""});
-  table.columns.push_back({"at", "s"});
+  table.columns.push_back({"at", "s", ColumnUnit::kAsGiven});
   for (const char* name : {"mean", "rms"}) table.columns.push_back({name, ""});
   return table;
 }
@@ -39,11 +41,8 @@ Table historyTable(const std::vector<Channel>& columns, const std::vector<Column
   return table;
 }
 
-ShownUnit speedUnit(Format format) { return format == Format::kTable ? ShownUnit{"km/h", 3.6} : ShownUnit{"m/s", 1.0}; }
-
 Table speedTable(const std::vector<Channel>& columns, const std::vector<HistorySummary>& runs, Format format) {
-  const ShownUnit speed = speedUnit(format);
-  Table table = emptyTable({{"column", ""}, {"unit", ""}, {"speed", speed.name}});
+  Table table = emptyTable({{"column", ""}, {"unit", ""}, {"speed", "m/s"}});
   for (std::size_t j = 0; j + 1 < columns.size(); ++j) {
     const Channel& column = columns[j + 1];
     double largest = 0.0;
@@ -54,7 +53,7 @@ Table speedTable(const std::vector<Channel>& columns, const std::vector<HistoryS
       std::vector<Cell>& row = table.rows.emplace_back();
       row.emplace_back(column.name);
       row.emplace_back(unit.name);
-      row.emplace_back(speed.factor * each.speed);
+      row.emplace_back(each.speed);
       addNumbers(each.columns[j], unit.factor, row);
     }
   }

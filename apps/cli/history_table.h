@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "apps/cli/document.h"
-#include "apps/cli/study_units.h"
 #include "libvehicle/result/column_summary.h"
 #include "libvehicle/units/channel.h"
 
@@ -20,9 +19,6 @@ struct HistorySummary {
   double speed = 0.0;  // [m/s]
   std::vector<ColumnSummary> columns;
 };
-
-/// Of speeds: km/h for people, else SI.
-[[nodiscard]] ShownUnit speedUnit(Format format);
 
 /// The same for several speeds: each column, speed by speed.
 [[nodiscard]] Table speedTable(const std::vector<Channel>& columns, const std::vector<HistorySummary>& runs,

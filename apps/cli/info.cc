@@ -11,6 +11,7 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/remarks.h"
+#include "apps/cli/stdout_page.h"
 #include "apps/cli/vehicle_figures.h"
 #include "apps/cli/vehicle_tables.h"
 #include "libvehicle/definition/notes.h"
@@ -40,8 +41,8 @@ int printInfo(const Options& options) {
   if (!vehicle.source.empty()) document.facts.push_back({"source", vehicle.source, ""});
   if (!vehicle.units.empty()) document.facts.push_back({"vehicles", static_cast<long>(vehicle.units.size()), ""});
   document.facts.insert(document.facts.end(), {{"degrees of freedom", static_cast<long>(topology.coordinates), ""},
-                                               {"total mass", (bodies + wheelsets) / 1e3, "t"},
-                                               {"unsprung mass", wheelsets / 1e3, "t"},
+                                               {"total mass", bodies + wheelsets, "kg"},
+                                               {"unsprung mass", wheelsets, "kg"},
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
   for (Fact& fact : loadFacts(vehicle, topology, rest, options.gravity)) document.facts.push_back(std::move(fact));
@@ -51,6 +52,10 @@ int printInfo(const Options& options) {
                      carbodyTable(vehicle, topology, options.gravity),
                      formTable(vehicle),
                      misfitTable(vehicle)};
+  if (const std::string form = defaultForm(vehicle); !document.tables.back().rows.empty()) {
+    document.remarks.push_back("a form that does not fit is no mistake in the file: the form " + form +
+                               " computes this vehicle");
+  }
   Table unused = unusedTable(vehicle);
   if (options.common.format != Format::kTable) {
     document.tables.push_back(std::move(unused));
@@ -62,7 +67,7 @@ int printInfo(const Options& options) {
   }
   const Warnings warnings = fileWarnings(vehicle, options.gravity);
   addWarnings(warnings, options.common, document);
-  print(document, options.common.format, std::cout);
+  printToStdout(document, options.common.format);
   std::cout.flush();
   printNotes(notesOn(vehicle), options.common);
   printWarnings(warnings);
@@ -73,8 +78,9 @@ int printInfo(const Options& options) {
 
 Action addInfo(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("info", "describe a vehicle or train: bodies, static loads, which forms fit and why not");
+  CLI::App* command = program.add_subcommand(
+      "info",
+      "describe a vehicle or train: masses, static loads, which sets of equations (forms) fit and why others do not");
   addVehicleFile(*command, options->files);
   addGravity(*command, options->gravity);
   addCommonOptions(*command, options->common);

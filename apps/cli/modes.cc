@@ -16,6 +16,7 @@
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/remarks.h"
+#include "apps/cli/stdout_page.h"
 #include "libvehicle/linear/modes.h"
 #include "libvehicle/linear/undamped.h"
 #include "libvehicle/simulate/file_warnings.h"
@@ -136,7 +137,7 @@ int printModes(const Options& options, const CLI::App& command) {
                      formatted ? shapeMatrix(modes, system->states()) : shapeList(modes, system->states())},
                     {}};
   addWarnings(warnings, options.common, document);
-  print(document, options.common.format, std::cout);
+  printToStdout(document, options.common.format);
   std::cout.flush();
   printWarnings(warnings);
   return statusAfter(warnings, options.common);
@@ -151,18 +152,18 @@ Action addModes(CLI::App& program) {
   addVehicleFile(*command, options->files);
   command
       ->add_option("--form", options->form,
-                   "flat | matrix | mbs-linear | flat-7-printed | flat-literal | flat-literal-mb\n"
+                   "flat | matrix | mbs-linear | flat-7-printed | flat-literal | flat-literal-mb "
                    "(default: flat where it fits, else matrix)")
       ->type_name("NAME")
       ->check(oneOf(formNames()));
   addGravity(*command, options->gravity);
   addCommonOptions(*command, options->common);
   command->footer(
-      "frequency is |lambda| / 2 pi, damped frequency |Im lambda| / 2 pi, undamped frequency that of masses and\n"
-      "stiffnesses alone, damping ratio -Re lambda / |lambda|. An aperiodic mode has two real roots, one line each:\n"
+      "frequency is |lambda| / 2 pi, damped frequency |Im lambda| / 2 pi, undamped frequency that of masses and "
+      "stiffnesses alone, damping ratio -Re lambda / |lambda|. An aperiodic mode has two real roots, one line each: "
       "no damped frequency, and |lambda| is a decay rate. Of a pair the root with positive imaginary part stands "
       "here.\n"
-      "In a shape the largest coordinate is 1 (m or rad). Tables show shapes as a matrix, csv and json one number a\n"
+      "In a shape the largest coordinate is 1 (m or rad). Tables show shapes as a matrix, csv and json one number a "
       "line; coordinates below 1e-9 are 0 there and left out here.\n"
       "Example: vehicle modes models/vehicles/al-oraiqat-2017.xml --form matrix");
   return [options, command] { return printModes(*options, *command); };

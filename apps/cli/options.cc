@@ -5,11 +5,14 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "apps/cli/exit_status.h"
+#include "apps/cli/stdout_page.h"
+#include "apps/cli/text_wrap.h"
 #include "libvehicle/diagnostics/problem.h"
 
 namespace vehicle::cli {
@@ -51,18 +54,30 @@ const CLI::Option* repeatedIn(const CLI::App& command) {
 
 std::string longNameOf(const CLI::Option& option) { return "--" + option.get_lnames().front(); }
 
-/// Two columns; what follows a line break in `right` is set below its first line.
+/// Letters of a line of help: no more than people read with ease.
+std::size_t helpWidth() {
+  constexpr std::size_t kWidest = 100;
+  return std::min(kWidest, pageWidth());
+}
+
+/// Two columns; what does not fit stands below the beginning of `right`.
 std::string twoColumns(const std::vector<std::pair<std::string, std::string>>& lines) {
   std::size_t width = 0;
   for (const auto& [left, right] : lines) width = std::max(width, left.size());
   std::string text;
   for (const auto& [left, right] : lines) {
-    std::string indented;
-    for (const char letter : right) {
-      indented += letter;
-      if (letter == '\n') indented += std::string(width + 4, ' ');
-    }
-    text += "  " + left + std::string(width - left.size() + 2, ' ') + indented + '\n';
+    text += "  " + left + std::string(width - left.size() + 2, ' ') + wrapped(right, helpWidth(), width + 4) + '\n';
+  }
+  return text;
+}
+
+/// Sentences as wide as the page; command lines as they are, to be copied.
+std::string footerOf(const std::string& footer) {
+  std::istringstream stream(footer);
+  std::string text;
+  for (std::string line; std::getline(stream, line);) {
+    const bool is_command = line.starts_with("Example: ") || line.starts_with(' ') || line.ends_with('\\');
+    text += (is_command ? line : wrapped(line, helpWidth())) + '\n';
   }
   return text;
 }
@@ -117,8 +132,8 @@ CLI::Option* addCount(CLI::App& command, const std::string& name, int& count, co
 
 void addRunSettings(CLI::App& command, RunChoice& choice) {
   addQuantity(command, "--step", Dimension::kTime,
-              "rk4: largest step, shortened to end on samples and breakpoints of the rail\n(default: \"1 ms\", or less "
-              "as the fastest motion asks)",
+              "rk4: largest step, shortened to end on samples and breakpoints of the rail   "
+              "(default: \"1 ms\", or less as the fastest motion asks)",
               [&choice](double value) { choice.step = value; });
   addQuantity(command, "--rtol", Dimension::kNumber, "dopri5: relative tolerance   (default: 1e-10)",
               [&choice](double value) { choice.relative = value; });
@@ -157,10 +172,13 @@ std::string HelpLayout::make_help(const CLI::App* app, std::string, CLI::AppForm
   for (const CLI::App* command : app->get_subcommands(nullptr)) {
     commands.emplace_back(command->get_name(), command->get_description());
   }
-  std::string text = usage + " [options]\n\n" + sentence(app->get_description()) + "\n\n";
+  std::string text = wrapped(usage + " [options]", helpWidth(), 4) + "\n\n" +
+                     wrapped(sentence(app->get_description()), helpWidth()) + "\n\n";
   if (!commands.empty()) text += twoColumns(commands) + "\n";
   if (!arguments.empty()) text += twoColumns(arguments) + "\n";
-  return text + twoColumns(options) + "\n" + app->get_footer() + "\n" + kExitStatusHelp + "\n";
+  const std::string exit_status = "Exit status: ";
+  text += twoColumns(options) + "\n" + footerOf(app->get_footer());
+  return text + exit_status + wrapped(kExitStatusHelp, helpWidth(), exit_status.size()) + "\n";
 }
 
 void requireGivenOnce(const CLI::App& command) {

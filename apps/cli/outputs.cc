@@ -11,7 +11,7 @@ void addOverwrite(CLI::App& command, Overwrite& overwrite, const std::string& mo
   command.add_flag_callback(
       "--overwrite", [&overwrite] { overwrite = Overwrite::kAnyFile; },
       "replace files that this program has not written, too, but no input" + more +
-          "\n(default: only outputs of earlier runs and empty files are replaced)");
+          "   (default: only outputs of earlier runs and empty files are replaced)");
 }
 
 void requireOutputForOverwrite(const CLI::App& command, const std::vector<std::string>& outputs) {

@@ -17,6 +17,7 @@
 #include "apps/cli/profile_tables.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/run_options.h"
+#include "apps/cli/stdout_page.h"
 #include "apps/cli/thread_options.h"
 #include "apps/cli/timeline.h"
 #include "libvehicle/storage/atomic_file.h"
@@ -89,7 +90,7 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
   Document document = documentOf(profile);
   const std::vector<Fact> names = namesOf(model, profile.run.form, profile.run.method, profile.run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
-  print(document, options.common.format, std::cout);
+  printToStdout(document, options.common.format);
   const std::string title = titleOf(profile, model.vehicle.name);
   store(options.trace, chromeTraceOf(profile.trace, title), options.common.quiet);
   store(options.timeline, timelineOf(profile.trace, title), options.common.quiet);
@@ -107,7 +108,7 @@ Action addProfile(CLI::App& program) {
   addScenarioFile(*command, options->files);
   addSharing(*command, options->choice, "4");
   addQuantity(*command, "--realtime", Dimension::kTime,
-              "one rk4 step is released every period of true time, on one thread, the\nrail fed by another; shows "
+              "one rk4 step is released every period of true time, on one thread, the rail fed by another; shows "
               "jitter and missed deadlines   (default: off)",
               [options, command](double value) {
                 options->period = value;
@@ -125,13 +126,18 @@ Action addProfile(CLI::App& program) {
   addQuantity(*command, "--step", Dimension::kTime, "rk4: largest step   (default: \"1 ms\")",
               [options](double value) { options->choice.step = value; });
   addCount(*command, "--every", options->every, "traces every N-th step; 1 traces all   (default: 16)");
-  command->add_option("--trace", options->trace, "spans for Perfetto, .json   (default: none)")->type_name("FILE");
-  command->add_option("--timeline", options->timeline, "two steps as a picture, .svg   (default: none)")
+  command
+      ->add_option("--trace", options->trace,
+                   "what each thread did and when, for the viewer ui.perfetto.dev, .json   (default: none)")
+      ->type_name("FILE");
+  command
+      ->add_option("--timeline", options->timeline, "two steps drawn, one line for each thread, .svg   (default: none)")
       ->type_name("FILE");
   addOverwrite(*command, options->overwrite);
   addCommonOptions(*command, options->common);
   command->footer(
-      "Runs the serial code, the shared one and the traced one alternately and prints the time per step of each.\n"
+      "Runs on one thread, on several, and on several while their steps are recorded (traced), alternately, and prints "
+      "the time per step of each.\n"
       "Example: vehicle profile models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
       "             --threads 4 --scheme stages --map paper --timeline threads.svg");
   return [options, command] { return profileAndPrint(*options, *command); };

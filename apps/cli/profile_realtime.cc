@@ -8,6 +8,7 @@
 #include "apps/cli/profile_tables.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
+#include "apps/cli/stdout_page.h"
 
 namespace vehicle::cli {
 
@@ -53,7 +54,7 @@ int profileByTheClock(const Model& model, const RunChoice& choice, double period
   const std::vector<Fact> names = namesOf(model, run.form, "rk4", run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
   addWarnings(run.warnings, common, document);
-  print(document, common.format, std::cout);
+  printToStdout(document, common.format);
   printWarnings(run.warnings);
   if (!run.report.stopped) return statusAfter(run.warnings, common);
   std::cerr << fmt::format("vehicle: interrupted after {} of {} steps; the figures above end there\n", run.report.steps,

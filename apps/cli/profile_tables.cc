@@ -87,7 +87,8 @@ Table workTable(const RunResult& run) {
 Table waitTable(const Trace& trace) {
   Table table{"who waited for whom, in the traced steps",
               {{"thread", ""}, {"for thread", ""}, {"waits", ""}, {"together", "us"}, {"mean", "ns"}},
-              {}};
+              {},
+              2};
   for (const WaitTotal& each : trace.waits) {
     table.rows.push_back({static_cast<long>(each.thread + 1), static_cast<long>(each.for_whom + 1), each.count,
                           1e6 * each.seconds, 1e9 * each.seconds / static_cast<double>(each.count)});
@@ -150,7 +151,7 @@ Table placementTable(const TeamReport& team) {
 }
 
 Table histogramTable(const std::string& name, const std::string& what, const DurationSummary& durations) {
-  Table table{name, {{"from", "us"}, {"to", "us"}, {what, ""}, {"share", "%"}}, {}};
+  Table table{name, {{"from", "us"}, {"to", "us"}, {what, ""}, {"share", "%"}}, {}, 2};
   if (durations.bins.empty()) return table;
   constexpr std::size_t kRows = 12;
   const double begin = durations.bins.front().begin;

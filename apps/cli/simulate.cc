@@ -17,6 +17,7 @@
 #include "apps/cli/run_options.h"
 #include "apps/cli/simulate_runs.h"
 #include "apps/cli/speeds.h"
+#include "apps/cli/stdout_page.h"
 #include "apps/cli/thread_options.h"
 #include "libvehicle/simulate/stiffness.h"
 
@@ -48,7 +49,7 @@ int simulateOnce(const SimulateOptions& options, const Model& model) {
   document.tables = {decisionTable(result.decision),
                      historyTable(result.history.columns(), result.summaries, options.common.format)};
   addWarnings(result.warnings, options.common, document);
-  print(document, options.common.format, std::cout);
+  printToStdout(document, options.common.format);
   for (const std::string& note : result.notes) printNote(note, options.common);
   noteUnshared(options.choice, result, options.common);
   if (const std::string note = stiffnessNote(model.vehicle, model.scenario, options.choice, result); !note.empty()) {
@@ -93,15 +94,18 @@ Action addSimulate(CLI::App& program) {
   addScenarioFile(*command, options->files);
   command
       ->add_option("--form", options->choice.form,
-                   "flat | matrix | mbs | mbs-linear, or a printed variant: flat-7-printed |\n"
+                   "equations: flat (carbody and two bogies by hand) | matrix (any vehicle, linear) | mbs (rigid "
+                   "bodies with true "
+                   "geometry, by Simbody) | mbs-linear, or as the paper prints them: flat-7-printed | "
                    "flat-literal | flat-literal-mb   (default: flat where it fits, else matrix)")
       ->type_name("NAME")
       ->check(oneOf(formNames()));
   command
       ->add_option("--method", options->choice.method,
-                   "rk4 | dopri5 | exact | simbody_rkm, or for a flat vehicle whose front and\nrear are alike "
+                   "rk4 (fixed step) | dopri5 (adaptive step) | exact (matrix exponential) | simbody_rkm (adaptive, by "
+                   "Simbody), or for a flat vehicle whose front and rear are alike "
                    "rk4_split | exact_split   "
-                   "(default: exact where it fits\nand there are 64 states or fewer, else dopri5)")
+                   "(default: exact where it fits and there are 64 states or fewer, else dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));
   addSpeeds(
@@ -120,7 +124,7 @@ Action addSimulate(CLI::App& program) {
   addOverwrite(*command, options->overwrite);
   addCommonOptions(*command, options->common);
   command->footer(
-      "Prints a summary of every column in the format chosen; whole histories go to --output. Peaks and r.m.s. are of\n"
+      "Prints a summary of every column in the format chosen; whole histories go to --output. Peaks and r.m.s. are of "
       "the motion itself, followed as closely as it asks for, whatever the output step.\n"
       "Threads change the time that a run takes and no bit of its result.\n"
       "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"

@@ -13,6 +13,7 @@
 #include "apps/cli/remarks.h"
 #include "apps/cli/run_files.h"
 #include "apps/cli/speeds.h"
+#include "apps/cli/stdout_page.h"
 #include "apps/cli/thread_options.h"
 #include "libvehicle/project/together.h"
 #include "libvehicle/simulate/stiffness.h"
@@ -55,10 +56,9 @@ std::vector<SpeedRun> runAll(const SimulateOptions& options, const Model& model)
   return runs;
 }
 
-Table runTable(const std::vector<SpeedRun>& runs, Format format) {
-  const ShownUnit speed = speedUnit(format);
+Table runTable(const std::vector<SpeedRun>& runs) {
   Table table{"runs",
-              {{"speed", speed.name},
+              {{"speed", "m/s"},
                {"end of run", "s"},
                {"samples", ""},
                {"steps", ""},
@@ -68,7 +68,7 @@ Table runTable(const std::vector<SpeedRun>& runs, Format format) {
               {}};
   for (const SpeedRun& each : runs) {
     const RunResult& result = each.result;
-    table.rows.push_back({speed.factor * result.speed, result.reached, result.outputs, result.statistics.steps,
+    table.rows.push_back({result.speed, result.reached, result.outputs, result.statistics.steps,
                           result.statistics.evaluations, result.statistics.rejected, result.wall_seconds});
   }
   return table;
@@ -129,11 +129,11 @@ int simulateSpeeds(const SimulateOptions& options, const Model& model) {
                     {"form", first.form, ""},
                     {"method", first.method, ""},
                     {"speeds", static_cast<long>(runs.size()), ""}};
-  document.tables = {runTable(runs, options.common.format),
+  document.tables = {runTable(runs),
                      speedTable(runs.front().columns, summaries, options.common.format)};
   const Warnings warnings = warningsOf(runs);
   addWarnings(warnings, options.common, document);
-  print(document, options.common.format, std::cout);
+  printToStdout(document, options.common.format);
   std::cout.flush();
   printNotesOf(runs, options, model);
   printWarnings(warnings);

@@ -21,7 +21,7 @@ Action addStudy(CLI::App& program) {
       ->type_name("DATABASE");
   command
       ->add_option("--output", options->database,
-                   "database of the designs, .sqlite; one that exists asks for --resume or\n--overwrite   (required)")
+                   "database of the designs, .sqlite; one that exists asks for --resume or --overwrite   (required)")
       ->type_name("FILE");
   command->add_flag("--resume", options->resume,
                     "continue the study in --output, if that exists   (default: it is not touched)");
@@ -32,11 +32,11 @@ Action addStudy(CLI::App& program) {
                    "vehicle files of these designs; without objectives, of the named designs   (default: none)")
       ->type_name("FOLDER");
   command->add_option("--export", options->csv, "the whole table, .csv   (default: none)")->type_name("FILE");
-  addOverwrite(*command, options->overwrite, ";\nan existing study in --output is started anew");
+  addOverwrite(*command, options->overwrite, "; an existing study in --output is started anew");
   addCommonOptions(*command, options->common);
   command->footer(
       "Designs are stored as they are evaluated: a study that is killed loses a few seconds and continues "
-      "with\n--resume. "
+      "with --resume. "
       "`vehicle study show FILE.sqlite` prints a stored study. On several machines: mpirun -n 4 vehicle study ...\n"
       "Example: vehicle study models/studies/secondary-suspensions.xml --output suspensions.sqlite");
   return [options, command] {

@@ -39,7 +39,7 @@ void StudyColumns::chooseUnits(const StudySummary& summary) {
   };
   if (formatted_) std::for_each(summary.compared.begin(), summary.compared.end(), see);
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
-    parameter_units_.push_back(shownUnit(parameters_[i].unit, largest[i]));
+    parameter_units_.push_back(shownUnit(parameters_[i].unit, largest[i], Velocity::kOfTravel));
   }
   for (std::size_t i = 0; i < bound_.metrics.size(); ++i) {
     metric_units_.push_back(shownUnit(bound_.metrics[i].unit, largest[parameters_.size() + i]));

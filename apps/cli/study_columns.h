@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/cli/document.h"
-#include "apps/cli/study_units.h"
+#include "apps/cli/engineering_units.h"
 #include "libvehicle/study/study_inputs.h"
 #include "libvehicle/study/summary.h"
 

@@ -120,17 +120,19 @@ class Tables {
     Table table{std::move(name), columns_.head(), {}, columns_.head().size()};
     if (formatted_ && judged) table.columns.push_back({"limits", ""});
     for (std::size_t p = 0; p < columns_.parameters().size(); ++p) {
-      table.columns.push_back({columns_.parameters()[p].name, columns_.parameterUnit(p).name});
+      table.columns.push_back({columns_.parameters()[p].name, columns_.parameterUnit(p).name, ColumnUnit::kAsGiven});
     }
     const bool with_metrics =
         columns_.metrics().size() <= kMostMetricColumns || bound_.objectives.empty() || !formatted_;
     for (const BoundObjective& each : bound_.objectives) {
-      if (!with_metrics) table.columns.push_back({columns_.nameOf(each), columns_.unitOf(each).name});
+      if (!with_metrics)
+        table.columns.push_back({columns_.nameOf(each), columns_.unitOf(each).name, ColumnUnit::kAsGiven});
       if (columns_.hasWorst(each))
         table.columns.push_back({bound_.metrics[each.metric].metric.name + ", worst at", ""});
     }
     for (std::size_t column = 0; column < columns_.metrics().size() && with_metrics; ++column) {
-      table.columns.push_back({columns_.metrics()[column].channel.name, columns_.unitOf(column).name});
+      table.columns.push_back(
+          {columns_.metrics()[column].channel.name, columns_.unitOf(column).name, ColumnUnit::kAsGiven});
     }
     if (!formatted_) table.columns.push_back({"limits", ""});
     const bool warned = !formatted_ || haveWarnings(list);

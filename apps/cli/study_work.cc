@@ -10,6 +10,7 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
+#include "apps/cli/stdout_page.h"
 #include "apps/cli/study_best.h"
 #include "apps/cli/study_options.h"
 #include "apps/cli/study_resume.h"
@@ -113,7 +114,7 @@ Shown show(const StudyOptions& options, const std::string& path, const StudyWork
   document.tables = std::move(told.tables);
   document.remarks.insert(document.remarks.end(), told.remarks.begin(), told.remarks.end());
   addWarnings(warnings, options.common, document);
-  print(document, options.common.format, std::cout);
+  printToStdout(document, options.common.format);
   std::cout.flush();
   const auto remark = [&](const std::string& text) {
     if (!options.common.quiet) std::cerr << text << '\n';

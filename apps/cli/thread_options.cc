@@ -53,14 +53,14 @@ void addSharing(CLI::App& command, RunChoice& choice, const std::string& default
   command
       .add_option_function<std::string>(
           "--threads", [&choice](const std::string& text) { choice.threads = threadsOf(text); },
-          "threads that share the run, or auto: what a short calibration finds\nto be fastest   (default: " +
+          "threads that share the run, or auto: what a short calibration finds to be fastest   (default: " +
               default_threads + ")")
       ->type_name("N");
   addName(command, "--scheme", choice.scheme, schemeNames(),
-          "how they share it: serial | stages | halo | pipeline (rk4), rows (exact),\n"
-          "split (rk4_split, exact_split)   (default: serial on 1 thread, else the\nfastest known for the method)");
+          "how they share it: serial | stages | halo | pipeline (rk4), rows (exact), "
+          "split (rk4_split, exact_split)   (default: serial on 1 thread, else the fastest known for the method)");
   addName(command, "--map", choice.map, equationMapNames(),
-          "stages, halo, rows: who computes which equation, paper | body | auto\n(default: auto)");
+          "stages, halo, rows: who computes which equation, paper | body | auto   (default: auto)");
 }
 
 void addTeam(CLI::App& command, TeamChoice& team) {
@@ -68,12 +68,12 @@ void addTeam(CLI::App& command, TeamChoice& team) {
           "how a thread waits for another: auto | spin | yield | sleep   (default: auto)");
   addChoice(command, "--pinning", team.pinning,
             std::map<std::string, Pinning>{{"cores", Pinning::kCores}, {"free", Pinning::kFree}},
-            "cores: each thread stays on a core of its own as far as there are\nenough; free: the scheduler moves "
+            "cores: each thread stays on a core of its own as far as there are enough; free: the scheduler moves "
             "them   (default: cores)");
   addChoice(command, "--priority", team.priority,
             std::map<std::string, Priority>{
                 {"normal", Priority::kNormal}, {"raised", Priority::kRaised}, {"fifo", Priority::kFifo}},
-            "normal | raised | fifo, as far as the system permits   (default: normal,\nwith --realtime fifo)");
+            "normal | raised | fifo, as far as the system permits   (default: normal, with --realtime fifo)");
 }
 
 std::vector<Fact> sharingFacts(const RunResult& result) {
@@ -94,7 +94,8 @@ void noteUnshared(const RunChoice& choice, const RunResult& result, const Common
 Table decisionTable(const Decision& decision) {
   Table table{"ways to run it",
               {{"scheme", ""}, {"threads", ""}, {"predicted", "ns/step"}, {"measured", "ns/step"}, {"taken", ""}},
-              {}};
+              {},
+              2};
   if (decision.reason.empty()) return table;
   for (const Candidate& each : decision.candidates) {
     table.rows.push_back({std::string(nameOf(each.scheme)), static_cast<long>(each.threads),

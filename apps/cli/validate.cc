@@ -17,6 +17,7 @@
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
 #include "apps/cli/speeds.h"
+#include "apps/cli/stdout_page.h"
 #include "apps/cli/validation_options.h"
 #include "apps/cli/validation_tables.h"
 #include "libvehicle/project/suite_work.h"
@@ -90,7 +91,7 @@ void printReports(const std::vector<ValidationReport>& reports, bool has_several
       has_several ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
   addWarnings(warnings, options.common, document);
   // A case that was interrupted has nothing to show but that.
-  if (has_several || !reports.front().stopped) print(document, options.common.format, std::cout);
+  if (has_several || !reports.front().stopped) printToStdout(document, options.common.format);
   std::cout.flush();
   printWarnings(found);
   for (const ValidationReport& report : reports) {
@@ -145,9 +146,10 @@ Action addValidate(CLI::App& program) {
         ->check(oneOf(all))
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   };
-  add_names("--form", options->choice.forms, formNames(),
-            "only this form; may be given several times, and names printed variants too\n(default: all but the printed "
-            "variants)");
+  add_names(
+      "--form", options->choice.forms, formNames(),
+      "only this form; may be given several times, and names variants as the paper prints them too   (default: all "
+      "but those)");
   add_names("--method", options->choice.methods, methodNames(),
             "only this method; may be given several times   (default: all)");
   addSpeeds(
@@ -162,15 +164,15 @@ Action addValidate(CLI::App& program) {
                     "table: every quantity of every run and every pair   (csv and json: always)");
   options->choice.shared_time_limit = 1.0;
   addQuantity(*command, "--time-limit", Dimension::kTime,
-              "that each run shared among threads may take, and again for every 10 000 steps;\nthen it is not judged   "
+              "that each run shared among threads may take, and again for every 10 000 steps; then it is not judged   "
               "(default: \"1 s\")",
               [options](double value) { options->choice.shared_time_limit = value; });
   command->add_flag("--allow-unjudged", options->allow_unjudged,
                     "pass although pairs were not judged, as long as some were   (default: exit status 4)");
   addCommonOptions(*command, options->common);
   command->footer(
-      "Each pair of runs has an expected size of disagreement and a reason for it: rounding, integration error,\n"
-      "or true geometry. A pair outside ends the program with exit status 4 and is named on stderr; so does\n"
+      "Each pair of runs has an expected size of disagreement and a reason for it: rounding, integration error, "
+      "or true geometry. A pair outside ends the program with exit status 4 and is named on stderr; so does "
       "a pair that could not be judged.\n"
       "Example: vehicle validate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml");
   return [options, command] { return validateAll(*options, *command); };

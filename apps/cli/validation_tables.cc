@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/cli/engineering_units.h"
+
 namespace vehicle::cli {
 namespace {
 
@@ -65,7 +67,8 @@ Table groupTable(const ValidationReport& report, Shown shown) {
                {"phase P", ""},
                {"combined C", ""},
                {"largest in", ""}},
-              {}};
+              {},
+              2};
   for (const PairAgreement& pair : report.pairs) {
     if (pair.first != 0 || report.runs[pair.second].key.refine != 1 || !shown(pair)) continue;
     for (const GroupAgreement& group : pair.groups) {
@@ -131,7 +134,8 @@ Table formTable(const ValidationReport& report) {
                {"difference", "of peak"},
                {"expected", "of peak"},
                {"because of", ""}},
-              {}};
+              {},
+              2};
   for (const Entry& each : entries) {
     if (each.strictest == nullptr) {
       table.rows.push_back({each.first, each.second, each.pairs, each.inside, {}, {}, {}, {}});
@@ -198,7 +202,7 @@ Document documentOf(const ValidationReport& report, Detail detail) {
                     {"speed", report.speed, "m/s"},
                     {"inside", report.inside(), ""},
                     {"pairs not judged", static_cast<long>(report.count(Verdict::kNotJudged)), ""}};
-  Table pairs{"pairs", kPairColumns, {}};
+  Table pairs{"pairs", kPairColumns, {}, 2};
   for (const PairAgreement& pair : report.pairs) {
     if (detail == Detail::kAll || pair.verdict == Verdict::kOutside) addPair(pairs, report, pair);
   }
@@ -219,7 +223,7 @@ Document documentOf(const std::vector<ValidationReport>& reports) {
   Table cases{"cases",
               {{"vehicle", ""},
                {"scenario", ""},
-               {"speed", "km/h"},
+               {"speed", "m/s"},
                {"runs", ""},
                {"inside", ""},
                {"outside", ""},
@@ -229,8 +233,9 @@ Document documentOf(const std::vector<ValidationReport>& reports) {
                {"integration", "of limit"},
                {"geometry", "of limit"},
                {"verdict", ""}},
-              {}};
-  Table outside{"pairs outside", kPairColumns, {}};
+              {},
+              3};
+  Table outside{"pairs outside", kPairColumns, {}, 2};
   bool all_inside = true;
   PairCounts counts;
   for (const ValidationReport& report : reports) {
@@ -245,7 +250,7 @@ Document documentOf(const std::vector<ValidationReport>& reports) {
       if (!std::holds_alternative<double>(cell) || std::get<double>(cell) < share) cell = share;
     }
     cases.rows.push_back(
-        {report.vehicle, report.scenario, 3.6 * report.speed, static_cast<long>(report.runs.size()),
+        {report.vehicle, report.scenario, report.speed, static_cast<long>(report.runs.size()),
          static_cast<long>(report.count(Verdict::kInside)), static_cast<long>(report.count(Verdict::kOutside)),
          static_cast<long>(report.count(Verdict::kByDesign)), static_cast<long>(report.count(Verdict::kNotJudged)),
          used[0], used[1], used[2], verdictOf(report)});
@@ -260,7 +265,7 @@ Document documentOf(const std::vector<ValidationReport>& reports) {
 
 std::vector<std::string> complaintsOf(const ValidationReport& report) {
   std::vector<std::string> complaints;
-  const std::string where = fmt::format("{} on {} at {:.4g} m/s", report.vehicle, report.scenario, report.speed);
+  const std::string where = fmt::format("{} on {} at {:.4g} km/h", report.vehicle, report.scenario, 3.6 * report.speed);
   for (const ValidationRun& run : report.runs) {
     if (run.ending == RunEnding::kFailed) complaints.push_back(fmt::format("{}: {}", where, run.reason));
     if (run.ending == RunEnding::kOutOfTime) {
@@ -270,10 +275,12 @@ std::vector<std::string> complaintsOf(const ValidationReport& report) {
   for (const PairAgreement& pair : report.pairs) {
     if (pair.verdict != Verdict::kOutside) continue;
     const ColumnAgreement& worst = pair.columns[pair.worst];
+    const double expected = worst.expected.value_or(0.0);
+    const ShownUnit unit = shownUnit(worst.column.unit, std::max(worst.norms.max_difference, expected));
     complaints.push_back(fmt::format("{}: {} against {}: {} differs by {:.3g} {}, expected at most {:.3g} {} ({})",
                                      where, report.runs[pair.first].key.text(), report.runs[pair.second].key.text(),
-                                     worst.column.name, worst.norms.max_difference, worst.column.unit,
-                                     worst.expected.value_or(0.0), worst.column.unit, pair.why));
+                                     worst.column.name, unit.factor * worst.norms.max_difference, unit.name,
+                                     unit.factor * expected, unit.name, pair.why));
   }
   return complaints;
 }
@@ -285,8 +292,8 @@ std::string whyNothing(const ValidationReport& report) {
   std::string why;
   for (const Misfit& misfit : report.misfits)
     why += "; " + (misfit.method.empty() ? misfit.form + ": " : "") + misfit.reason;
-  return fmt::format("{} on {} at {:.4g} m/s: nothing is judged: no two runs can be compared{}", report.vehicle,
-                     report.scenario, report.speed, why);
+  return fmt::format("{} on {} at {:.4g} km/h: nothing is judged: no two runs can be compared{}", report.vehicle,
+                     report.scenario, 3.6 * report.speed, why);
 }
 
 ExitStatus exitStatusOf(const std::vector<ValidationReport>& reports, Unjudged unjudged) {

@@ -56,7 +56,7 @@ std::vector<Fact> loadFacts(const Vehicle& vehicle, const Topology& topology, co
   double mass = 0.0;
   for (const TopologyBody& body : topology.bodies) mass += body.mass;
   for (const TopologyWheelset& wheelset : topology.wheelsets) mass += wheelset.mass;
-  std::vector<Fact> facts = {{"total weight", mass * gravity / 1e3, "kN"}};
+  std::vector<Fact> facts = {{"total weight", mass * gravity, "N"}};
   if (!vehicle.units.empty()) return facts;
   const auto [last, first] =
       std::minmax_element(topology.wheelsets.begin(), topology.wheelsets.end(),
@@ -71,8 +71,8 @@ std::vector<Fact> loadFacts(const Vehicle& vehicle, const Topology& topology, co
     rear += x < middle ? rest.wheel_load[j] : x == middle ? 0.5 * rest.wheel_load[j] : 0.0;
   }
   if (std::abs(front - rear) > kEqual * (front + rear)) {
-    facts.push_back({"load of the front half", front / 1e3, "kN"});
-    facts.push_back({"load of the rear half", rear / 1e3, "kN"});
+    facts.push_back({"load of the front half", front, "N"});
+    facts.push_back({"load of the rear half", rear, "N"});
   }
   return facts;
 }

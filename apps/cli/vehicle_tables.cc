@@ -41,10 +41,12 @@ Table unitTable(const Vehicle& train, const Topology& topology, const Rest& rest
     sum.mass += topology.wheelsets[j].mass;
     sum.load += rest.wheel_load[j];
   }
-  Table table{"vehicles", {{"vehicle", ""}, {"x", "m"}, {"mass", "t"}, {"static load", "kN"}, {"title", ""}}, {}};
+  Table table{"vehicles",
+              {{"vehicle", ""}, {"x", "m", ColumnUnit::kAsGiven}, {"mass", "kg"}, {"static load", "N"}, {"title", ""}},
+              {}};
   for (const TrainUnit& unit : train.units) {
     const Sum& sum = sums[unit.name];
-    table.rows.push_back({unit.name, unit.x, sum.mass / 1e3, sum.load / 1e3, unit.title});
+    table.rows.push_back({unit.name, unit.x, sum.mass, sum.load, unit.title});
   }
   return table;
 }
@@ -52,13 +54,13 @@ Table unitTable(const Vehicle& train, const Topology& topology, const Rest& rest
 Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& rest) {
   Table table{"bodies",
               {{"body", ""},
-               {"mass", "t"},
-               {"pitch inertia", "t m^2"},
-               {"x", "m"},
-               {"z", "m"},
+               {"mass", "kg"},
+               {"pitch inertia", "kg*m^2"},
+               {"x", "m", ColumnUnit::kAsGiven},
+               {"z", "m", ColumnUnit::kAsGiven},
                {"motion", ""},
-               {"rest z", "mm"},
-               {"rest pitch", "mrad"}},
+               {"rest z", "m"},
+               {"rest pitch", "rad"}},
               {}};
   for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
     const TopologyBody& body = topology.bodies[i];
@@ -69,9 +71,9 @@ Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& re
       if (index < 0) return Cell();
       const double value = rest.coordinates[static_cast<std::size_t>(index)];
       // A femtometre is what rounding leaves of a pitch that is zero.
-      return Cell(std::abs(value) < 1e-14 ? 0.0 : 1e3 * value);
+      return Cell(std::abs(value) < 1e-14 ? 0.0 : value);
     };
-    table.rows.push_back({body.name, body.mass / 1e3, orNothing(body.pitch_inertia / 1e3), body.x,
+    table.rows.push_back({body.name, body.mass, orNothing(body.pitch_inertia), body.x,
                           topology.has_heights ? Cell(body.z) : Cell(), motion, at_rest(body.z_index),
                           at_rest(body.pitch_index)});
   }
@@ -81,10 +83,10 @@ Table bodyTable(const Vehicle& vehicle, const Topology& topology, const Rest& re
 Table wheelsetTable(const Topology& topology, const Rest& rest) {
   Table table{"wheelsets",
               {{"wheelset", ""},
-               {"x", "m"},
-               {"mass", "t"},
-               {"static load", "kN"},
-               {"contact stiffness", "MN/m"},
+               {"x", "m", ColumnUnit::kAsGiven},
+               {"mass", "kg"},
+               {"static load", "N"},
+               {"contact stiffness", "N/m"},
                {"motion", ""}},
               {}};
   const std::vector<double> deviations = loadDeviations(topology, rest);
@@ -92,9 +94,9 @@ Table wheelsetTable(const Topology& topology, const Rest& rest) {
   for (std::size_t i = 0; i < topology.wheelsets.size(); ++i) {
     const TopologyWheelset& wheelset = topology.wheelsets[i];
     std::vector<Cell>& row = table.rows.emplace_back();
-    row = {wheelset.name, wheelset.x, orNothing(wheelset.mass / 1e3), rest.wheel_load[i] / 1e3};
+    row = {wheelset.name, wheelset.x, orNothing(wheelset.mass), rest.wheel_load[i]};
     if (!deviations.empty()) row.emplace_back(1e2 * deviations[i]);
-    row.push_back(orNothing(rest.contact_stiffness[i] / 1e6));
+    row.push_back(orNothing(rest.contact_stiffness[i]));
     row.emplace_back(std::string(wheelset.z_index >= 0 ? "z" : "follows the rail"));
   }
   return table;
@@ -105,11 +107,11 @@ Table suspensionTable(const Topology& topology, const Rest& rest) {
               {{"suspension", ""},
                {"upper", ""},
                {"lower", ""},
-               {"x", "m"},
-               {"stiffness", "kN/m"},
-               {"damping", "kN s/m"},
-               {"static load", "kN"},
-               {"rest deflection", "mm"}},
+               {"x", "m", ColumnUnit::kAsGiven},
+               {"stiffness", "N/m"},
+               {"damping", "N*s/m"},
+               {"static load", "N"},
+               {"rest deflection", "m"}},
               {}};
   for (std::size_t i = 0; i < topology.suspensions.size(); ++i) {
     const TopologySuspension& each = topology.suspensions[i];
@@ -117,8 +119,8 @@ Table suspensionTable(const Topology& topology, const Rest& rest) {
                                   ? topology.bodies[static_cast<std::size_t>(each.lower_body)].name
                                   : topology.wheelsets[static_cast<std::size_t>(each.lower_wheelset)].name;
     table.rows.push_back({each.name, topology.bodies[static_cast<std::size_t>(each.upper)].name, lower, each.x,
-                          each.stiffness / 1e3, each.damping / 1e3, rest.suspension_load[i] / 1e3,
-                          each.stiffness > 0.0 ? Cell(1e3 * rest.suspension_load[i] / each.stiffness) : Cell()});
+                          each.stiffness, each.damping, rest.suspension_load[i],
+                          each.stiffness > 0.0 ? Cell(rest.suspension_load[i] / each.stiffness) : Cell()});
   }
   return table;
 }
@@ -130,7 +132,8 @@ Table formTable(const Vehicle& vehicle) {
 }
 
 Table misfitTable(const Vehicle& vehicle) {
-  Table table{"why not", {{"line", ""}, {"element", ""}, {"why", ""}, {"remedy", ""}, {"forms", ""}}, {}};
+  Table table{
+      "why a form does not fit", {{"line", ""}, {"element", ""}, {"why", ""}, {"remedy", ""}, {"forms", ""}}, {}};
   for (const std::string& form : formNames()) {
     for (const Problem& misfit : formMisfits(form, vehicle)) {
       const std::vector<Cell> reason = {static_cast<long>(misfit.place.line), misfit.element, misfit.message,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <Eigen/LU>
@@ -41,8 +42,8 @@ Eigen::VectorXd restState(const StateSpace& matrices, const Scenario& scenario, 
     case InitialRest::kPeriodic:
       if (const double growth = MotionRates(matrices.A).growth(); growth > 0.0) {
         refuse(scenario,
-               fmt::format("from=\"periodic\" needs a vehicle whose motions die out, but one grows by e every {:.3g} s",
-                           1.0 / growth),
+               fmt::format("from=\"periodic\" needs a vehicle whose motions die out, but one doubles every {:.3g} s",
+                           std::numbers::ln2 / growth),
                "`vehicle check` names what makes it unstable; from=\"zero\" shows how it grows");
       }
       try {

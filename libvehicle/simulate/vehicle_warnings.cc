@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -71,8 +72,8 @@ void addStance(const Topology& topology, const Rest& rest, Warnings& warnings) {
       warning.value = rate;
       warning.unit = std::string("1/s");
       warning.message = fmt::format(
-          "the vehicle cannot stand: springs and heights leave a negative stiffness, a push grows by e every {:.3g} s",
-          1.0 / rate);
+          "the vehicle cannot stand: springs and heights leave a negative stiffness, a push doubles every {:.3g} s",
+          std::numbers::ln2 / rate);
       warning.remedy = "lower the centre of gravity, or make its springs stiffer or wider apart";
     } else {
       warning.code = WarningCode::kFreeMode;

@@ -37,10 +37,12 @@ TEST(CommandLine, HelpOfTheProgramNamesEveryCommand) {
 
 TEST(CommandLine, HelpOfSimulateTellsUnitsChoicesAndDefaults) {
   const std::string help = runVehicle({"simulate", "--help"}).out;
-  for (const char* part :
-       {"usage: vehicle simulate VEHICLE SCENARIO [options]", "flat | matrix | mbs | mbs-linear",
-        "rk4 | dopri5 | exact | simbody_rkm", "\"80:10:160 km/h\"", "(default: from SCENARIO)",
-        "(default: \"1 ms\", or less as the fastest motion asks)", ".csv or .h5", "--accuracy NUMBER"}) {
+  for (const char* part : {"usage: vehicle simulate VEHICLE SCENARIO [options]",
+                           "flat (carbody and two bogies by hand) | matrix (any vehicle, linear)",
+                           "rk4 (fixed step) | dopri5 (adaptive step) | exact (matrix exponential)",
+                           "\"80:10:160 km/h\"", "(default: from SCENARIO)",
+                           "(default: \"1 ms\", or less as the fastest motion asks)", ".csv or .h5",
+                           "--accuracy NUMBER"}) {
     EXPECT_TRUE(has(help, part)) << part << "\nis not in\n" << help;
   }
 }

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -50,6 +51,12 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
+  void setWidth(int columns) const {
+    winsize size{};
+    size.ws_row = 24;
+    size.ws_col = static_cast<unsigned short>(columns);
+    ::ioctl(ours_, TIOCSWINSZ, &size);
+  }
   /// Appends what is there.
   void readInto(std::string& text) const {
     std::array<char, 4096> block;
@@ -63,6 +70,9 @@ class Terminal {
   int theirs_ = -1;
   std::string name_;
 };
+
+// A shell may have given the tests the width of its terminal.
+[[maybe_unused]] const int kNoColumns = ::unsetenv("COLUMNS");
 
 /// Starts the program. Output goes to files, not pipes: nothing can block, whatever it writes.
 pid_t start(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
@@ -113,6 +123,28 @@ ProgramRun runVehicle(const std::vector<std::string>& arguments) {
   int state = 0;
   ::waitpid(start(arguments, out, err), &state, 0);
   return {statusOf(state), textOf(out), textOf(err)};
+}
+
+Columns::Columns(const std::string& value) { ::setenv("COLUMNS", value.c_str(), 1); }
+Columns::~Columns() { ::unsetenv("COLUMNS"); }
+
+ProgramRun runVehicleOnTerminal(const std::vector<std::string>& arguments, int columns) {
+  const TestFolder folder;
+  const std::string err = folder.path("err");
+  const Terminal terminal;
+  terminal.setWidth(columns);
+  const pid_t process = start(arguments, terminal.name(), err);
+  ProgramRun run;
+  int state = 0;
+  for (bool over = false; !over;) {
+    over = ::waitpid(process, &state, WNOHANG) == process;
+    terminal.readInto(run.out);  // a terminal that is not read blocks the program
+    if (!over) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  terminal.readInto(run.out);
+  run.status = statusOf(state);
+  run.err = textOf(err);
+  return run;
 }
 
 bool showsProgress(const RunningProgram& program) { return program.terminal.find(kEraseLine) != std::string::npos; }

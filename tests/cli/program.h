@@ -20,6 +20,19 @@ struct ProgramRun {
 /// Runs build/.../bin/vehicle with these arguments, stdout and stderr apart, no terminal.
 [[nodiscard]] ProgramRun runVehicle(const std::vector<std::string>& arguments);
 
+/// The same with stdout on a terminal of that many columns.
+[[nodiscard]] ProgramRun runVehicleOnTerminal(const std::vector<std::string>& arguments, int columns);
+
+/// While it lives, programs that start find COLUMNS in their environment. Elsewhere they do not, whatever shell runs the
+/// tests.
+class Columns {
+ public:
+  explicit Columns(const std::string& value);
+  ~Columns();
+  Columns(const Columns&) = delete;
+  Columns& operator=(const Columns&) = delete;
+};
+
 /// What can be seen of the program while it runs.
 struct RunningProgram {
   pid_t process = 0;

@@ -33,6 +33,7 @@ std::string changed(double value, double base, const char* mark = "  ") {
 }
 
 TEST(StudyTable, HoldsTheNumbersTheirChangeAndAMarkWhereALimitIsBroken) {
+  const Columns page("120");
   const TestFolder folder;
   const ProgramRun run =
       runVehicle({"study", smallStudyIn(folder), "--output", folder.path("study.sqlite"), "--jobs", "1"});
@@ -201,6 +202,7 @@ TEST(StudyTable, PairsOfFactorsStandInEveryFormat) {
 
 // The published case: 31 designs of which five have no frequency of pitch, and everything else.
 TEST(StudyTable, ValuesThatAreMissingAreEmptyInEveryFormatAndTheirReasonIsCounted) {
+  const Columns page("120");
   const TestFolder folder;
   const std::string study = VEHICLE_SOURCE_DIR "/tests/cli/cases/mode-name-sweep.xml";
   const std::string database = folder.path("m.sqlite"), csv = folder.path("m.csv");
@@ -247,6 +249,7 @@ TEST(StudyTable, ValuesThatAreMissingAreEmptyInEveryFormatAndTheirReasonIsCounte
 }
 
 TEST(StudyTable, ManyParametersStayWithinThePage) {
+  const Columns page("120");
   const TestFolder folder;
   std::string vary;
   for (const char* name : {"carbody.mass", "carbody.pitch_inertia", "front_bogie.mass", "rear_bogie.mass",

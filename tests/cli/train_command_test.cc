@@ -55,7 +55,7 @@ TEST(TrainCommands, InfoListsTheVehiclesFromTheFront) {
   EXPECT_EQ(rows[4]["vehicle"], "coach_5");
   EXPECT_EQ(rows[1]["x"], -21.0);
   // A coach of 44.482 t on its rails: 436.4 kN.
-  EXPECT_NEAR(rows[4]["static load"].get<double>(), 44.482 * 9.81, 1e-9);  // rounding of 1e5 N
+  EXPECT_NEAR(rows[4]["static load"].get<double>(), 44.482e3 * 9.81, 1e-6);  // rounding of 1e5 N in sums
 }
 
 TEST(TrainCommands, SimulateWritesTheColumnsOfEveryVehicleAndKeepsAllFiles) {

@@ -50,10 +50,10 @@ TEST(ValidationTables, APairOutsideEndsWithFourAndIsNamedWithItsColumn) {
   const ValidationReport report = reportWith(Verdict::kOutside);
   EXPECT_EQ(statusOf({reportWith(Verdict::kInside), report}), kCheckDidNotHold);
   ASSERT_EQ(complaintsOf(report).size(), 1u);
-  EXPECT_EQ(
-      complaintsOf(report)[0],
-      "coach on waves at 20 m/s: matrix exact against mbs rk4: carbody.z differs by 3e-05 m, expected at most 1e-12 m "
-      "(rounding: same equations)");
+  EXPECT_EQ(complaintsOf(report)[0],
+            "coach on waves at 72 km/h: matrix exact against mbs rk4: carbody.z differs by 0.03 mm, expected at most "
+            "1e-09 mm "
+            "(rounding: same equations)");
 }
 
 TEST(ValidationTables, AllInsideEndsWithZeroAndNothingIsSaid) {
@@ -66,7 +66,7 @@ TEST(ValidationTables, ARunThatFailedComesBeforeAPairOutside) {
   report.runs[1].ending = RunEnding::kFailed;
   report.runs[1].reason = "mbs with rk4: carbody.z is not finite at t = 1 s";
   EXPECT_EQ(statusOf({report}), kRunFailed);
-  EXPECT_EQ(complaintsOf(report)[0], "coach on waves at 20 m/s: mbs with rk4: carbody.z is not finite at t = 1 s");
+  EXPECT_EQ(complaintsOf(report)[0], "coach on waves at 72 km/h: mbs with rk4: carbody.z is not finite at t = 1 s");
 }
 
 TEST(ValidationTables, NothingThatWasJudgedIsNotAPass) {
@@ -90,7 +90,7 @@ TEST(ValidationTables, APairThatWasNotJudgedIsNoPassUnlessItIsAccepted) {
   EXPECT_EQ(statusOf({mixed, reportWith(Verdict::kOutside)}, Unjudged::kAccept), kCheckDidNotHold);
   ASSERT_EQ(complaintsOf(mixed).size(), 1u);
   EXPECT_EQ(complaintsOf(mixed)[0],
-            "coach on waves at 20 m/s: mbs rk4 is not judged: not done after 1 s, its time limit");
+            "coach on waves at 72 km/h: mbs rk4 is not judged: not done after 1 s, its time limit");
   EXPECT_EQ(documentOf(mixed, Detail::kAll).remarks.back(),
             "1 pairs inside their expected size, 0 outside, 1 not judged");
   EXPECT_EQ(documentOf({mixed, mixed}).remarks.back(), "2 pairs inside their expected size, 0 outside, 2 not judged");
@@ -113,7 +113,7 @@ TEST(ValidationTables, ACaseThatComparesNothingSaysWhy) {
   alone.misfits = {{"flat", "", "the vehicle has one bogie"}};
   EXPECT_EQ(
       whyNothing(alone),
-      "coach on waves at 20 m/s: nothing is judged: no two runs can be compared; flat: the vehicle has one bogie");
+      "coach on waves at 72 km/h: nothing is judged: no two runs can be compared; flat: the vehicle has one bogie");
   EXPECT_EQ(statusOf({alone}), kCheckDidNotHold);
   EXPECT_EQ(statusOf({alone, reportWith(Verdict::kInside)}), kCheckDidNotHold);
 }

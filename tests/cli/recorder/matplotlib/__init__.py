@@ -1,0 +1,1 @@
+"""Stands in for Matplotlib: keeps what the examples of a page plot and draws nothing."""

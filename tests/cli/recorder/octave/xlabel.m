@@ -1,0 +1,3 @@
+% Stands in for the xlabel of Octave, which needs a graphics toolkit.
+function xlabel(text)
+end

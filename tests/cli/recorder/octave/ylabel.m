@@ -1,0 +1,3 @@
+% Stands in for the ylabel of Octave, which needs a graphics toolkit.
+function ylabel(text)
+end

@@ -210,6 +210,7 @@ TEST(Outputs, OfAStudyMayBeCalledAsAUri) {
   EXPECT_TRUE(fs::is_regular_file(files.path(name)));
   EXPECT_TRUE(fs::is_regular_file(files.path("file:x.csv")));
   EXPECT_FALSE(fs::exists(files.path("x.sqlite")));
+  for (const auto& [kept, text] : files.all()) EXPECT_FALSE(has(kept, "vehicle-tmp")) << kept;
 }
 
 TEST(Outputs, OfTheBestDesignsAreAllWrittenOrNone) {

@@ -197,6 +197,16 @@ TEST(RunCases, WhatARunDoesNotUseOfItsTrackIsNotedOnceByEveryCommandThatRuns) {
   }
 }
 
+// Contacts at 1265 rad/s and a step of 100 ms, where rk4 allows 2.78 / 1265 = 2.2 ms: the run ends in infinity.
+TEST(RunCases, ARunThatEndsInInfinitySaysWhy) {
+  const ProgramRun run =
+      runVehicle({"simulate", caseFile("metro"), caseFile("bump"), "--method", "rk4", "--step", "100 ms", "--quiet"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(linesOf(run.err).size(), 1u) << run.err;
+  EXPECT_TRUE(has(run.err, " is not finite at t = ")) << run.err;
+  EXPECT_TRUE(run.err.ends_with("[UNSTABLE_STEP]\n")) << run.err;
+}
+
 TEST(RunCases, TheLastSampleIsTheEndOfTheRun) {
   const TestFolder folder;
   const struct {

@@ -16,10 +16,12 @@
 #include "apps/cli/profile_run.h"
 #include "apps/cli/profile_tables.h"
 #include "apps/cli/progress.h"
+#include "apps/cli/remarks.h"
 #include "apps/cli/run_options.h"
 #include "apps/cli/stdout_page.h"
 #include "apps/cli/thread_options.h"
 #include "apps/cli/timeline.h"
+#include "libvehicle/simulate/file_warnings.h"
 #include "libvehicle/storage/atomic_file.h"
 
 namespace vehicle::cli {
@@ -75,6 +77,7 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
   if (command.count("--trace") > 0) guard.claim(options.trace, "--trace", OutputKind::kTrace);
   if (command.count("--timeline") > 0) guard.claim(options.timeline, "--timeline", OutputKind::kTimeline);
   requireOptionsUsed(command, options, model);
+  printNotesOn({model.scenario}, options.common);
   if (options.period) return profileByTheClock(model, options.choice, *options.period, options.common);
   Profile profile;
   {
@@ -90,11 +93,15 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
   Document document = documentOf(profile);
   const std::vector<Fact> names = namesOf(model, profile.run.form, profile.run.method, profile.run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
+  // The equations, not the motion, are what is profiled: of the run itself nothing is said.
+  const Warnings warnings = fileWarnings(model.vehicle, model.scenario.gravity);
+  addWarnings(warnings, options.common, document);
   printToStdout(document, options.common.format);
+  printWarnings(warnings);
   const std::string title = titleOf(profile, model.vehicle.name);
   store(options.trace, chromeTraceOf(profile.trace, title), options.common.quiet);
   store(options.timeline, timelineOf(profile.trace, title), options.common.quiet);
-  return kDone;
+  return statusAfter(warnings, options.common);
 }
 
 }  // namespace

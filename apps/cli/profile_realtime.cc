@@ -9,6 +9,7 @@
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
 #include "apps/cli/stdout_page.h"
+#include "libvehicle/simulate/file_warnings.h"
 
 namespace vehicle::cli {
 
@@ -53,10 +54,12 @@ int profileByTheClock(const Model& model, const RunChoice& choice, double period
   Document document = documentOf(run, period);
   const std::vector<Fact> names = namesOf(model, run.form, "rk4", run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
-  addWarnings(run.warnings, common, document);
+  Warnings warnings = fileWarnings(model.vehicle, model.scenario.gravity);
+  warnings.insert(warnings.end(), run.warnings.begin(), run.warnings.end());
+  addWarnings(warnings, common, document);
   printToStdout(document, common.format);
-  printWarnings(run.warnings);
-  if (!run.report.stopped) return statusAfter(run.warnings, common);
+  printWarnings(warnings);
+  if (!run.report.stopped) return statusAfter(warnings, common);
   std::cerr << fmt::format("vehicle: interrupted after {} of {} steps; the figures above end there\n", run.report.steps,
                            run.steps);
   return kInterrupted;

@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,15 @@ void printNote(const std::string& text, const CommonOptions& common) {
 
 void printNotes(const std::vector<Note>& notes, const CommonOptions& common) {
   for (const Note& each : notes) printNote(each.line(), common);
+}
+
+void printNotesOn(const std::vector<Scenario>& scenarios, const CommonOptions& common) {
+  std::set<std::string> printed;
+  for (const Scenario& scenario : scenarios) {
+    for (const Note& each : notesOn(scenario)) {
+      if (printed.insert(each.line()).second) printNote(each.line(), common);
+    }
+  }
 }
 
 void printWarnings(const Warnings& warnings) {

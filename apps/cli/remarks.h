@@ -18,6 +18,9 @@ void printNote(const std::string& text, const CommonOptions& common);
 /// The same for what the program makes of values of files.
 void printNotes(const std::vector<Note>& notes, const CommonOptions& common);
 
+/// Those on scenarios, each line once.
+void printNotesOn(const std::vector<Scenario>& scenarios, const CommonOptions& common);
+
 /// Warnings, one line each on stderr, --quiet or not; of many of one code the first kMostOfACode and how many more.
 inline constexpr std::size_t kMostOfACode = 4;
 void printWarnings(const Warnings& warnings);

@@ -83,7 +83,10 @@ std::optional<bool> StudyColumns::breaksLimit(std::size_t column, double value) 
 
 std::optional<double> StudyColumns::changeIn(std::size_t column, const JudgedDesign& design) const {
   if (base_ == nullptr) return std::nullopt;
-  const double change = 100.0 * (design.metrics[column] / base_->metrics[column] - 1.0);
+  const double base = base_->metrics[column];
+  // Of the base's size, so that it has the sign of the change where the base is negative.
+  const double change =
+      100.0 * (base < 0.0 ? 1.0 - design.metrics[column] / base : design.metrics[column] / base - 1.0);
   if (!std::isfinite(change)) return std::nullopt;
   return change;
 }

@@ -35,6 +35,9 @@ Table formattedTable(const Influence& influence) {
 
 constexpr std::size_t kMostPairs = 10;  // of factors, for people
 
+/// To the three decimals that are shown; never -0.
+double shown(double index) { return std::round(1e3 * index) / 1e3 + 0.0; }
+
 /// What pairs of factors do together, beyond what each does alone: for people the largest, one table an output.
 void addPairs(const Influence& influence, const BoundStudy& bound, bool formatted, Table& all, Document& document) {
   std::vector<PairIndex> pairs = influence.indices.pairs;
@@ -65,8 +68,8 @@ void addPairs(const Influence& influence, const BoundStudy& bound, bool formatte
     Row& row = table.rows.emplace_back();
     row.emplace_back(bound.factors[each.i].name);
     row.emplace_back(bound.factors[each.j].name);
-    row.emplace_back(
-        fmt::format("{:6.3f}  ({:6.3f} .. {:6.3f})", each.second.value, each.second.low, each.second.high));
+    row.emplace_back(fmt::format("{:6.3f}  ({:6.3f} .. {:6.3f})", shown(each.second.value), shown(each.second.low),
+                                 shown(each.second.high)));
   }
   document.tables.push_back(std::move(table));
 }
@@ -74,7 +77,8 @@ void addPairs(const Influence& influence, const BoundStudy& bound, bool formatte
 void addIndices(const SensitivityIndex& index, bool formatted, Row& row) {
   for (const Estimate& estimate : {index.first, index.total}) {
     if (formatted) {
-      row.emplace_back(fmt::format("{:.3f}  ({:6.3f} .. {:5.3f})", estimate.value, estimate.low, estimate.high));
+      row.emplace_back(fmt::format("{:.3f}  ({:6.3f} .. {:5.3f})", shown(estimate.value), shown(estimate.low),
+                                   shown(estimate.high)));
       continue;
     }
     for (const double number : {estimate.value, estimate.low, estimate.high}) row.emplace_back(number);

@@ -161,6 +161,7 @@ int runStudyFile(const StudyOptions& options, const CLI::App& command) {
   }
   Document document = headOf(work, options.database);
   document.remarks.push_back(StudyEvaluator(work.inputs).path().text);
+  printNotesOn(work.inputs.scenarios, options.common);
   const Warnings doubts = warningsBefore(work.inputs);
   printWarnings(doubts);
 

@@ -102,6 +102,7 @@ void printReports(const std::vector<ValidationReport>& reports, bool has_several
 int validateAll(const Options& options, const CLI::App& command) {
   const ValidationWork work = readWork(options.files, options.choice);
   requireValidationOptionsUsed(command, work, options.choice, options.common);
+  printNotesOn(work.cases.scenarios, options.common);
   Warnings warnings;
   if (work.is_suite) warnings = unjudgedOf(work.cases);
   printWarnings(warnings);

@@ -72,6 +72,18 @@ Warning coarseSamples(const Schedule& schedule) {
   return warning;
 }
 
+/// Why a run may have grown beyond all numbers, as the end of the line that says it did; "" if nothing is known.
+std::string causeAmong(const Warnings& warnings) {
+  for (const Warning& each : warnings) {
+    const bool grows = each.code == WarningCode::kUnstableStep || each.code == WarningCode::kCannotStand ||
+                       each.code == WarningCode::kUnstableMode;
+    if (!grows) continue;
+    return fmt::format("; {}{}{}; {} [{}]", each.subject, each.subject.empty() ? "" : ": ", each.message, each.remedy,
+                       wordOf(each.code));
+  }
+  return "";
+}
+
 /// Whether samples lie close enough for the series of ExactIntegrals.
 bool isFollowed(const Schedule& schedule, double fastest) {
   return schedule.isResolved() && schedule.outputStep() / schedule.cut() * fastest <= ExactIntegrals::kMostTurn;
@@ -153,7 +165,8 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
     result.work = std::move(run.work);
     result.decision = std::move(run.decision);
   } catch (const std::runtime_error& failure) {
-    throw RunFailed(fmt::format("{} with {}: {}", result.form, result.method, failure.what()));
+    throw RunFailed(
+        fmt::format("{} with {}: {}{}", result.form, result.method, failure.what(), causeAmong(result.warnings)));
   }
   result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.history = recorder.takeHistory();

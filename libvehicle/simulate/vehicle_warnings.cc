@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -140,6 +141,19 @@ void addRestDeflections(const Topology& topology, const Rest& rest, Warnings& wa
   }
 }
 
+/// Equal vehicles of a train come from one place of one file: the first of them stands for all.
+Warnings eachPlaceOnce(Warnings warnings) {
+  Warnings once;
+  for (Warning& each : warnings) {
+    const bool is_said =
+        each.place.line > 0 && std::any_of(once.begin(), once.end(), [&](const Warning& other) {
+          return other.code == each.code && other.place.line == each.place.line && other.place.file == each.place.file;
+        });
+    if (!is_said) once.push_back(std::move(each));
+  }
+  return once;
+}
+
 }  // namespace
 
 Warnings restWarnings(const Topology& topology, const Rest& rest, double gravity) {
@@ -158,7 +172,7 @@ Warnings restWarnings(const Topology& topology, const Rest& rest, double gravity
   }
   for (const TopologyPart& part : parts) addGivenLoads(part, restOfPart(part, rest), gravity, warnings);
   addRestDeflections(topology, rest, warnings);
-  return warnings;
+  return eachPlaceOnce(std::move(warnings));
 }
 
 Warnings motionWarnings(const MotionRates& rates, bool can_stand) {

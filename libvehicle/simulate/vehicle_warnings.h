@@ -16,6 +16,7 @@ inline constexpr double kMostLoadError = 5e-3;      // of the weight: data sheet
 ///     FREE_MODE        it is zero in some motion: there is no rest position
 ///     GIVEN_LOADS      wheel loads of the file miss the weight of what they carry by more than 0.5 %
 ///     REST_DEFLECTION  a spring comes down by more than 0.5 m
+/// Each place of a file once: what holds of one of equal vehicles of a train holds of all.
 /// Cost: an eigenvalue problem for each vehicle of a train.
 [[nodiscard]] Warnings restWarnings(const Topology& topology, const Rest& rest, double gravity);
 

@@ -148,6 +148,65 @@ TEST(RunCases, AVehicleThatCannotStandIsSaidByEveryCommand) {
   EXPECT_TRUE(has(refused.err, "one grows by e every 0.161 s")) << refused.err;  // 1 / 6.1992
 }
 
+TEST(RunCases, WhatHoldsOfEqualVehiclesOfATrainIsSaidOnce) {
+  const TestFolder folder;
+  const std::string train =
+      folder.file("train.xml", "<train name=\"t\" format=\"1\">\n  <vehicle file=\"" + caseFile("tips-over") +
+                                   "\" count=\"3\" spacing=\"8 m\"/>\n</train>\n");
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"check", train}, {"simulate", train, caseFile("scenario")}}) {
+    EXPECT_EQ(warningsOf(reportOf(words), "CANNOT_STAND").size(), 1u) << words[0];
+  }
+}
+
+TEST(RunCases, AProfileSaysWhatIsDoubtfulOfTheVehicle) {
+  const std::vector<std::string> words = {
+      "profile", caseFile("tips-over"), caseFile("scenario"), "--strict", "--quiet", "--threads", "1"};
+  const ProgramRun run = runVehicle(words);
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(run.err.starts_with(caseFile("tips-over") + ":6: warning: wagon pitch: ")) << run.err;
+  EXPECT_EQ(linesOf(run.err).size(), 1u) << run.err;
+}
+
+TEST(RunCases, WhatARunDoesNotUseOfItsTrackIsNotedOnceByEveryCommandThatRuns) {
+  const TestFolder folder;
+  const std::string loco = caseFile("short-pitch-loco"), dip = caseFile("dip-left-rail");
+  const std::string files = "  <vehicle file=\"" + loco + "\"/> <scenario file=\"" + dip + "\"/>\n";
+  const std::string study = folder.file("study.xml", "<study name=\"s\" format=\"1\">\n" + files +
+                                                         R"(  <vary parameter="speed" values="10 m/s, 20 m/s"/>
+  <metric name="carbody.az.rms"/>
+</study>
+)");
+  const std::string suite = folder.file("suite.xml", "<suite name=\"s\" format=\"1\">\n" + files +
+                                                         R"(  <speed value="10 m/s"/> <speed value="20 m/s"/>
+  <form name="flat"/> <form name="matrix"/> <method name="exact"/>
+</suite>
+)");
+  const std::vector<std::vector<std::string>> commands = {
+      {"simulate", loco, dip},
+      {"profile", loco, dip, "--threads", "1"},
+      {"validate", loco, dip, "--form", "flat", "--form", "matrix", "--method", "exact"},
+      {"validate", suite},
+      {"study", study, "--output", folder.path("s.sqlite")}};
+  for (const std::vector<std::string>& words : commands) {
+    const ProgramRun run = runVehicle(words);
+    EXPECT_EQ(run.status, 0) << words[0] << run.err;
+    std::size_t notes = 0;
+    for (const std::string& line : linesOf(run.err)) notes += line.starts_with("note: " + dip + ":5: rail=") ? 1u : 0u;
+    EXPECT_EQ(notes, 1u) << words[0] << run.err;
+  }
+}
+
+// Contacts at 1265 rad/s and a step of 100 ms, where rk4 allows 2.78 / 1265 = 2.2 ms: the run ends in infinity.
+TEST(RunCases, ARunThatEndsInInfinitySaysWhy) {
+  const ProgramRun run =
+      runVehicle({"simulate", caseFile("metro"), caseFile("bump"), "--method", "rk4", "--step", "100 ms", "--quiet"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(linesOf(run.err).size(), 1u) << run.err;
+  EXPECT_TRUE(has(run.err, " is not finite at t = ")) << run.err;
+  EXPECT_TRUE(run.err.ends_with("[UNSTABLE_STEP]\n")) << run.err;
+}
+
 TEST(RunCases, TheLastSampleIsTheEndOfTheRun) {
   const TestFolder folder;
   const struct {

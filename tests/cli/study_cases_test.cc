@@ -127,6 +127,11 @@ TEST(StudyCases, DesignsThatLiftAreCountedAndNamedInTheirColumn) {
   EXPECT_TRUE(has(lines[1], ",WHEEL_LOAD,")) << lines[1];
   EXPECT_FALSE(has(lines[2], "WHEEL_LOAD")) << lines[2];
   EXPECT_EQ(runVehicle({"study", "show", cases.path("lifts.xml.sqlite"), "--strict"}).status, 4);
+  // From below zero to above it the load has grown.
+  const std::vector<Json> loads = rowsOf(report, "comparison", "quantity", "axle.load.min");
+  ASSERT_EQ(loads.size(), 2u);
+  const double base = loads[0]["value"].get<double>(), other = loads[1]["value"].get<double>();
+  EXPECT_NEAR(loads[1]["change"].get<double>(), 100.0 * (other - base) / std::abs(base), 1e-10);
 }
 
 TEST(StudyCases, ASteadyStateOfAVehicleThatCannotStandHasNoValueAndSaysWhy) {
@@ -150,6 +155,24 @@ TEST(StudyCases, ASteadyStateOfAVehicleThatCannotStandHasNoValueAndSaysWhy) {
   ASSERT_EQ(warnings.size(), 2u);  // of the file, and of the designs
   EXPECT_EQ(warnings[0]["line"], 6);
   EXPECT_EQ(warnings[1]["value"], 1);
+}
+
+// The static load depends on the mass alone: the indices of the others are a zero of either sign.
+TEST(StudyCases, IndicesThatAreNothingAreNoNegativeZero) {
+  const Cases cases;
+  cases.file("loads.xml", R"(<study name="loads" format="1" evaluation="steady_state">
+  <vehicle file="short-pitch-loco.xml"/> <scenario file="two-waves.xml"/>
+  <vary parameter="secondary.stiffness_z" from="1 MN/m" to="3 MN/m"/>
+  <vary parameter="secondary.damping_z" from="1 kN*s/m" to="100 kN*s/m"/>
+  <vary parameter="carbody.mass" from="50 t" to="60 t"/>
+  <plan kind="saltelli" size="64" second_order="yes" seed="1"/>
+  <metric name="static.w1.load"/>
+</study>
+)");
+  const ProgramRun run = runVehicle({"study", cases.path("loads.xml"), "--output", cases.path("loads.sqlite"), "-q"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(has(run.out, "0.000")) << run.out;
+  EXPECT_FALSE(has(run.out, "-0.000")) << run.out;
 }
 
 // What the command refuses `check` refuses, in the same lines.

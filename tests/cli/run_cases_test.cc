@@ -145,7 +145,8 @@ TEST(RunCases, AVehicleThatCannotStandIsSaidByEveryCommand) {
   EXPECT_TRUE(
       refused.err.starts_with(caseFile("two-waves") + ":5: error: <scenario><initial_state>: from=\"periodic\""))
       << refused.err;
-  EXPECT_TRUE(has(refused.err, "one grows by e every 0.161 s")) << refused.err;  // 1 / 6.1992
+  // ln 2 over the root, 6.1992 1/s
+  EXPECT_TRUE(has(refused.err, "one doubles every 0.112 s")) << refused.err;
 }
 
 TEST(RunCases, WhatHoldsOfEqualVehiclesOfATrainIsSaidOnce) {

@@ -110,8 +110,8 @@ Action addSimulate(CLI::App& program) {
       ->check(oneOf(methodNames()));
   addSpeeds(
       *command,
-      "running speed, e.g. \"20 m/s\"; a list \"60 km/h, 80 km/h\" or a range \"80:10:160 km/h\"\nruns at each: one "
-      "table, and --output run.h5 becomes run-80kmh.h5, ...\n(default: from SCENARIO)",
+      "running speed, e.g. \"20 m/s\"; all of a list \"60 km/h, 80 km/h\" or of a range\n\"80:10:160 km/h\", with one "
+      "table, and --output run.h5 becoming run-80kmh.h5, ...\n(default: from SCENARIO)",
       options->speeds);
   addRunSettings(*command, options->choice);
   addSharing(*command, options->choice, "1");

@@ -155,7 +155,7 @@ Action addValidate(CLI::App& program) {
             "only this method; may be given several times   (default: all)");
   addSpeeds(
       *command,
-      "running speed, e.g. \"20 m/s\"; a list \"60 km/h, 80 km/h\" or a range \"80:10:160 km/h\"\nmakes a case of "
+      "running speed, e.g. \"20 m/s\"; all of a list \"60 km/h, 80 km/h\" or of a range\n\"80:10:160 km/h\", a case "
       "each   (default: from SCENARIO or SUITE)",
       options->choice.speeds);
   addRunSettings(*command, options->choice.run);

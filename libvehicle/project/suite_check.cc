@@ -81,7 +81,7 @@ ProblemList checkCases(const SuiteWork& work) {
     for (const Problem& problem : together) add(problem);
     if (!together.empty()) continue;
     const ValidationPlan plan = validationPlanOf(vehicle, scenario, work.choice);
-    const std::string misfit = memoryMisfit(plan, vehicle, scenario, speedOf(each, work));
+    const std::string misfit = caseRefusal(plan, vehicle, scenario, speedOf(each, work));
     if (!misfit.empty()) add({scenario.run.origin, "<scenario><run>", vehicle.name + ": " + misfit, ""});
   }
   return problems;

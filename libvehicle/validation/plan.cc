@@ -1,10 +1,14 @@
 #include "libvehicle/validation/plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <fmt/format.h>
 
+#include "libvehicle/linear/motion_rates.h"
+#include "libvehicle/matrix/matrix_form.h"
 #include "libvehicle/simulate/run_plan.h"
 
 namespace vehicle {
@@ -135,9 +139,18 @@ bool judgesAnything(const ValidationPlan& plan) {
   return false;
 }
 
-std::string memoryMisfit(const ValidationPlan& plan, const Vehicle& vehicle, const Scenario& scenario, double speed) {
+std::string caseRefusal(const ValidationPlan& plan, const Vehicle& vehicle, const Scenario& scenario, double speed) {
   Scenario run = scenario;
   run.run.speed = speed;
+  // Steps of fixed accuracy become shorter and shorter, and rounding is all that two runs could differ in.
+  constexpr double kMostGrowth = 1e12;
+  const double growth = MotionRates(*buildMatrixForm(vehicle, scenario.gravity)).growth() * durationOf(run);
+  if (growth > std::log(kMostGrowth)) {
+    return fmt::format(
+        "the vehicle cannot stand: its motion grows 1e{:.0f}-fold over {:.4g} s, beyond any comparison; take a shorter "
+        "duration, or look at what `vehicle check` says of it",
+        growth / std::numbers::ln10, durationOf(run));
+  }
   const double samples = durationOf(run) / scenario.run.output_step + 1.0;
   const double columns = static_cast<double>(resultChannels(topologyOf(vehicle)).size() + 1);
   const double all = 8.0 * samples * columns * static_cast<double>(plan.runs.size());

@@ -67,10 +67,10 @@ struct ValidationPlan {
 /// Whether two of the runs are compared of which something is expected.
 [[nodiscard]] bool judgesAnything(const ValidationPlan& plan);
 
-/// Why the histories of all runs together are more than a case may hold (2 GiB), with the remedy; empty if they are
-/// not.
+/// Why a case cannot be validated, with the remedy; empty if it can: the histories of all runs together are more than it
+/// may hold (2 GiB), or the motion grows beyond any comparison (1e12-fold).
 /// @param speed  [m/s]
-[[nodiscard]] std::string memoryMisfit(const ValidationPlan& plan, const Vehicle& vehicle, const Scenario& scenario,
-                                       double speed);
+[[nodiscard]] std::string caseRefusal(const ValidationPlan& plan, const Vehicle& vehicle, const Scenario& scenario,
+                                      double speed);
 
 }  // namespace vehicle

@@ -70,7 +70,7 @@ class Case {
   void plan() {
     requireRunnable();
     ValidationPlan plan = validationPlanOf(vehicle_, scenario_, choice_);
-    if (const std::string misfit = memoryMisfit(plan, vehicle_, scenario_, report_.speed); !misfit.empty()) {
+    if (const std::string misfit = caseRefusal(plan, vehicle_, scenario_, report_.speed); !misfit.empty()) {
       throw std::invalid_argument(misfit);
     }
     report_.misfits = std::move(plan.misfits);

@@ -59,8 +59,9 @@ using ValidationProgress = std::function<bool(double share, const std::string& w
 /// step, whose error must have fallen as order 4 demands. A run shared among threads must have the bits of its serial
 /// one. A run that failed, or that took longer than it may, stays in the report: its pairs are not judged.
 /// @throws InvalidInput           vehicle or scenario is wrong
-/// @throws std::invalid_argument  a form or method that does not exist, a wrong setting, or histories that together
-///                                would need more memory than a case may take (memoryMisfit())
+/// @throws std::invalid_argument  a form or method that does not exist, a wrong setting, histories that together would
+///                                need more memory than a case may take, or a motion that grows beyond any
+///                                comparison (caseRefusal())
 [[nodiscard]] ValidationReport validate(const Vehicle& vehicle, const Scenario& scenario,
                                         const ValidationChoice& choice = {}, const ValidationProgress& progress = {});
 

@@ -149,6 +149,17 @@ TEST(RunCases, AVehicleThatCannotStandIsSaidByEveryCommand) {
   EXPECT_TRUE(has(refused.err, "one doubles every 0.112 s")) << refused.err;
 }
 
+// e^(6.1992 * 10) = 1e26.9: methods that keep an accuracy would take ever shorter steps.
+TEST(RunCases, ValidateRefusesAMotionThatGrowsBeyondAnyComparisonAtOnce) {
+  const TestFolder folder;
+  const std::string zero =
+      folder.file("zero.xml", with(textOf(caseFile("two-waves")), "<initial_state from=\"periodic\"/>", ""));
+  const ProgramRun run = runVehicle({"validate", caseFile("tips-over"), zero});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(has(run.err, "its motion grows 1e27-fold over 10 s, beyond any comparison")) << run.err;
+  EXPECT_EQ(linesOf(run.err).size(), 1u) << run.err;
+}
+
 TEST(RunCases, WhatHoldsOfEqualVehiclesOfATrainIsSaidOnce) {
   const TestFolder folder;
   const std::string train =

@@ -102,7 +102,7 @@ TEST(Speeds, MakeCasesOfValidate) {
   const Json rows = Json::parse(run.out)["tables"]["cases"]["rows"];
   ASSERT_EQ(rows.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(rows[i]["speed"].get<double>(), 50.0 + 25.0 * static_cast<double>(i), 1e-12);  // rounding of 3.6
+    EXPECT_NEAR(rows[i]["speed"].get<double>(), (50.0 + 25.0 * static_cast<double>(i)) / 3.6, 1e-12);  // [m/s] rounding
     EXPECT_EQ(rows[i]["verdict"], "inside");
   }
 }

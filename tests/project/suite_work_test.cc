@@ -23,13 +23,14 @@ TEST(SuiteWork, CrossesWhatTheSuiteNames) {
   EXPECT_EQ(work.choice.forms, std::vector<std::string>{"matrix"});
 }
 
-TEST(SuiteWork, ASpeedThatIsChosenTakesThePlaceOfTheSuites) {
+TEST(SuiteWork, SpeedsThatAreChosenTakeThePlaceOfTheSuites) {
   const test::ProjectFolder folder;
   ValidationChoice choice;
-  choice.run.speed = 20.0;
+  choice.speeds = {20.0, 30.0};
   const SuiteWork work = workOf(folder, choice);
-  ASSERT_EQ(work.cases.size(), 1u);
+  ASSERT_EQ(work.cases.size(), 2u);
   EXPECT_EQ(work.cases[0].speed, 20.0);
+  EXPECT_EQ(work.cases[1].speed, 30.0);
 }
 
 TEST(UnjudgedOf, ASuiteWithFormsThatFitIsEmpty) {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "libvehicle/linear/motion_rates.h"
-#include "libvehicle/matrix/matrix_form.h"
+#include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/run_plan.h"
 
 namespace vehicle {
@@ -144,7 +144,7 @@ std::string caseRefusal(const ValidationPlan& plan, const Vehicle& vehicle, cons
   run.run.speed = speed;
   // Steps of fixed accuracy become shorter and shorter, and rounding is all that two runs could differ in.
   constexpr double kMostGrowth = 1e12;
-  const double growth = MotionRates(*buildMatrixForm(vehicle, scenario.gravity)).growth() * durationOf(run);
+  const double growth = MotionRates(*buildForm("matrix", vehicle, scenario.gravity)).growth() * durationOf(run);
   if (growth > std::log(kMostGrowth)) {
     return fmt::format(
         "the vehicle cannot stand: its motion grows 1e{:.0f}-fold over {:.4g} s, beyond any comparison; take a shorter "

@@ -295,6 +295,7 @@ void steady(std::vector<std::string>& claims) {
       const auto solveBlock = [&](int b) {
         ensemble::SteadyBlock block = block_rows.steadyBlock(b);
         block.motion = motion.data();
+        block.range = nullptr;  // the solution alone, as its peers
         kernels.steady(block, {}, harmonics.data(), kFrequencies, symmetric);
       };
       for (int b = 0; b < block_rows.blocks(); ++b) {

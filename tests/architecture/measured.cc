@@ -125,7 +125,7 @@ struct PageNumbers {
 };
 
 struct PrintedNumbers {
-  std::string machine;
+  std::vector<std::string> machines;
   std::vector<PageNumbers> pages;
 };
 
@@ -142,7 +142,7 @@ PrintedNumbers readPrintedNumbers(const fs::path& root) {
     if (text.front() != ' ') {
       const std::size_t blank = words.find(' ');
       if (words.substr(0, blank) == "machine") {
-        numbers.machine = words.substr(blank + 1);
+        numbers.machines.emplace_back(words.substr(blank + 1));
       } else {
         numbers.pages.push_back({std::string(words), {}, {}});
       }
@@ -285,7 +285,9 @@ std::string printedLike(std::string_view like, double value) {
 
 Violations wrongNumbers(const fs::path& root, Pages pages) {
   const PrintedNumbers numbers = readPrintedNumbers(root);
-  const Results results(root / "benchmarks/results" / numbers.machine);
+  std::vector<fs::path> folders;
+  for (const std::string& each : numbers.machines) folders.push_back(root / "benchmarks/results" / each);
+  const Results results(folders);
   Violations found;
   for (const PageNumbers& page : numbers.pages) {
     PageJudge judge(root, page, results);

@@ -40,13 +40,17 @@ double termOf(std::string_view term, const Results& results) {
 
 }  // namespace
 
-Results::Results(const fs::path& folder) {
-  if (!fs::exists(folder)) throw std::invalid_argument(folder.string() + " does not exist");
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().stem().string();
-    if (entry.path().extension() != ".csv" || !name.starts_with("bench_")) continue;
-    std::ifstream stream(entry.path());
-    for (std::string line; std::getline(stream, line);) tables_[name.substr(6)].push_back(split(line, ','));
+Results::Results(const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    if (!fs::exists(folder)) throw std::invalid_argument(folder.string() + " does not exist");
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().stem().string();
+      if (entry.path().extension() != ".csv" || !name.starts_with("bench_")) continue;
+      std::vector<Row> rows;
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) rows.push_back(split(line, ','));
+      tables_.try_emplace(name.substr(6), std::move(rows));
+    }
   }
 }
 

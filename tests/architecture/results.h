@@ -12,11 +12,11 @@ namespace vehicle::test {
 
 // What the benchmark programs have measured: benchmarks/results/MACHINE/bench_NAME.csv.
 
-/// The results of one machine.
+/// The results of one machine, or of several that each were measured by some of the programs.
 class Results {
  public:
-  /// @param folder  holds bench_NAME.csv files
-  explicit Results(const std::filesystem::path& folder);
+  /// @param folders  hold bench_NAME.csv files; of a NAME in several the first counts
+  explicit Results(const std::vector<std::filesystem::path>& folders);
 
   /// The value of "NAME:KEY:KEY...", the row of bench_NAME.csv that begins with these keys; its nanoseconds
   /// (ns_per_step, else median_ns). "...@COLUMN" names another column, "...#2" the second of several such rows.

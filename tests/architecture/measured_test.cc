@@ -138,7 +138,7 @@ TEST(PrintedNumber, IsWrittenAnewWithAsManyDigits) {
 TEST(ValueOf, KnowsFactorsQuotientsAndUnits) {
   const TestFolder folder;
   folder.file("bench_a.csv", "problem,median_ns\nx,2000\ny,500\n");
-  const Results results(folder.root());
+  const Results results({folder.root()});
   EXPECT_EQ(valueOf("a:x", results), 2000.0);
   EXPECT_EQ(valueOf("a:x us", results), 2.0);
   EXPECT_EQ(valueOf("a:x / a:y", results), 4.0);

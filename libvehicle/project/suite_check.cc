@@ -81,8 +81,8 @@ ProblemList checkCases(const SuiteWork& work) {
     for (const Problem& problem : together) add(problem);
     if (!together.empty()) continue;
     const ValidationPlan plan = validationPlanOf(vehicle, scenario, work.choice);
-    const std::string misfit = caseRefusal(plan, vehicle, scenario, speedOf(each, work));
-    if (!misfit.empty()) add({scenario.run.origin, "<scenario><run>", vehicle.name + ": " + misfit, ""});
+    const std::string refusal = caseRefusal(plan, vehicle, scenario, speedOf(each, work));
+    if (!refusal.empty()) add({scenario.run.origin, "<scenario><run>", vehicle.name + ": " + refusal, ""});
   }
   return problems;
 }

@@ -70,8 +70,8 @@ class Case {
   void plan() {
     requireRunnable();
     ValidationPlan plan = validationPlanOf(vehicle_, scenario_, choice_);
-    if (const std::string misfit = caseRefusal(plan, vehicle_, scenario_, report_.speed); !misfit.empty()) {
-      throw std::invalid_argument(misfit);
+    if (const std::string refusal = caseRefusal(plan, vehicle_, scenario_, report_.speed); !refusal.empty()) {
+      throw std::invalid_argument(refusal);
     }
     report_.misfits = std::move(plan.misfits);
     report_.notes = std::move(plan.notes);

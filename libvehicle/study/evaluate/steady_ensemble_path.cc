@@ -80,7 +80,7 @@ class SteadyEnsemblePath final : public Path {
           const Answer answer{result.summaries.data() + (r * designs + i) * run_.columns.size(),
                               amplitudesOf(result, r, i, *rails[r]), *rails[r]};
           write(cases[r], i, answer, rows);
-          if (isInDoubt(result.doubts[r * designs + i])) doubtful_.push_back(i);
+          if (isInDoubt(cases[r], result.doubts[r * designs + i])) doubtful_.push_back(i);
         }
         judgeDoubtful(cases[r], [&](std::size_t) { return rails[r]; }, rows);
       }
@@ -116,12 +116,18 @@ class SteadyEnsemblePath final : public Path {
       const Answer answer{result.summaries.data() + i * run_.columns.size(), amplitudesOf(result, 0, i, *rails[i]),
                           *rails[i]};
       write(study_case, first + i, answer, rows);
-      if (isInDoubt(result.doubts[i])) doubtful_.push_back(first + i);
+      if (isInDoubt(study_case, result.doubts[i])) doubtful_.push_back(first + i);
     }
     judgeDoubtful(study_case, [&](std::size_t place) { return rails[place - first]; }, rows);
   }
 
-  static bool isInDoubt(const SteadyDoubt& doubt) { return doubt.unloads || doubt.moves_far; }
+  /// Without gravity loads are their dynamic part alone, and every one of them would be in doubt.
+  [[nodiscard]] bool judgesLoads(std::size_t study_case) const {
+    return inputs_.scenarios[inputs_.bound.cases[study_case].scenario].gravity > 0.0;
+  }
+  [[nodiscard]] bool isInDoubt(std::size_t study_case, const SteadyDoubt& doubt) const {
+    return doubt.moves_far || (doubt.unloads && judgesLoads(study_case));
+  }
 
   /// Looks closely at the few designs that may leave the range in this case, and forgets them.
   /// @param railOf  of a place of the block
@@ -136,7 +142,7 @@ class SteadyEnsemblePath final : public Path {
       rails.push_back(railOf(place));
     }
     const SteadyResult result = steadyEnsembleEach(designs, rails, fine_);
-    const bool loads = inputs_.scenarios[inputs_.bound.cases[study_case].scenario].gravity > 0.0;
+    const bool loads = judgesLoads(study_case);
     for (std::size_t i = 0; i < designs.size(); ++i) {
       const std::size_t row = block_.alive()[doubtful_[i]];
       const std::size_t harmonics = rails[i]->angular_frequency.size();

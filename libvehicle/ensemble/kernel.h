@@ -97,7 +97,7 @@ struct SteadyBlock {
   double* motion = nullptr;              // (harmonics x 8 rows) zk, phi, z1, z2: real parts, imaginary parts; or null
   double* amplitude = nullptr;           // (harmonics x choice.count x 2 rows) or null
   double* metrics = nullptr;             // (choice.count x kMetricRows rows) mean, sum of |X|^2 / 2, lowest, highest
-  double* range = nullptr;               // (kRangeRows rows) 1 where a wheel load, a motion may leave its range, else 0; or null
+  double* range = nullptr;               // (kRangeRows rows) 1 where a wheel load, a motion may leave its range; or null
 };
 
 /// One instruction set.

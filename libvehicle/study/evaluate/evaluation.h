@@ -101,8 +101,8 @@ class Worker {
  public:
   virtual ~Worker() = default;
 
-  /// Fills batch.values, failures, gaps and warnings for the task's designs; the batch comes reset. What is wrong with one design
-  /// becomes its failure; a value that it cannot have stays NaN and its reason becomes a gap.
+  /// Fills batch.values, failures, gaps and warnings for the task's designs; the batch comes reset. What is wrong with
+  /// one design becomes its failure; a value that it cannot have stays NaN and its reason becomes a gap.
   /// @throws whatever ends the whole study (memory, a mistake of ours)
   virtual void evaluate(const Task& task, Batch& batch) = 0;
 };

@@ -28,9 +28,10 @@ struct Options {
 };
 
 int printInfo(const Options& options) {
-  const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
-  const Topology topology = topologyOf(vehicle);
-  const Rest rest = restOf(topology, options.gravity);
+  const CompiledModel model = compileChecked(readVehicle(options.files.vehicle).orThrow(), options.gravity);
+  const Vehicle& vehicle = model.vehicle;
+  const Topology& topology = model.topology;
+  const Rest& rest = model.rest;
 
   double bodies = 0.0, wheelsets = 0.0;
   for (const TopologyBody& body : topology.bodies) bodies += body.mass;
@@ -45,14 +46,14 @@ int printInfo(const Options& options) {
                                                {"unsprung mass", wheelsets, "kg"},
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
-  for (Fact& fact : loadFacts(vehicle, topology, rest, options.gravity)) document.facts.push_back(std::move(fact));
+  for (Fact& fact : loadFacts(model)) document.facts.push_back(std::move(fact));
   document.tables = {bodyTable(vehicle, topology, rest),
                      wheelsetTable(topology, rest),
                      suspensionTable(topology, rest),
-                     carbodyTable(vehicle, topology, options.gravity),
-                     formTable(vehicle),
-                     misfitTable(vehicle)};
-  if (const std::string form = defaultForm(vehicle); !document.tables.back().rows.empty()) {
+                     carbodyTable(model),
+                     formTable(topology),
+                     misfitTable(topology)};
+  if (const std::string form = defaultForm(topology); !document.tables.back().rows.empty()) {
     document.remarks.push_back("a form that does not fit is no mistake in the file: the form " + form +
                                " computes this vehicle");
   }
@@ -65,7 +66,7 @@ int printInfo(const Options& options) {
   if (!vehicle.units.empty()) {
     document.tables.insert(document.tables.begin(), unitTable(vehicle, topology, rest));
   }
-  const Warnings warnings = fileWarnings(vehicle, options.gravity);
+  const Warnings warnings = fileWarnings(model);
   addWarnings(warnings, options.common, document);
   printToStdout(document, options.common.format);
   std::cout.flush();

@@ -94,11 +94,11 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
   const std::vector<Fact> names = namesOf(model, profile.run.form, profile.run.method, profile.run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
   // The equations, not the motion, are what is profiled: of the run itself nothing is said.
-  const Warnings warnings = fileWarnings(model.vehicle, model.scenario.gravity);
+  const Warnings warnings = fileWarnings(model.vehicle);
   addWarnings(warnings, options.common, document);
   printToStdout(document, options.common.format);
   printWarnings(warnings);
-  const std::string title = titleOf(profile, model.vehicle.name);
+  const std::string title = titleOf(profile, model.vehicle.vehicle.name);
   store(options.trace, chromeTraceOf(profile.trace, title), options.common.quiet);
   store(options.timeline, timelineOf(profile.trace, title), options.common.quiet);
   return statusAfter(warnings, options.common);

@@ -10,7 +10,7 @@ RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult&
   RunRecord record;
   record.history = result.history;
   record.attributes = {{"version", VEHICLE_VERSION},
-                       {"vehicle", model.vehicle.name},
+                       {"vehicle", model.vehicle.vehicle.name},
                        {"scenario", model.scenario.name},
                        {"form", result.form},
                        {"method", result.method},

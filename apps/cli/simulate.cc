@@ -34,7 +34,7 @@ int simulateOnce(const SimulateOptions& options, const Model& model) {
   }
 
   Document document;
-  document.facts = {{"vehicle", model.vehicle.name, ""},
+  document.facts = {{"vehicle", model.vehicle.vehicle.name, ""},
                     {"scenario", model.scenario.name, ""},
                     {"form", result.form, ""},
                     {"method", result.method, ""},

@@ -47,7 +47,7 @@ ValidationWork readWork(const ModelFiles& named, const ValidationChoice& choice)
   std::vector<ValidationCase> cases;
   for (const double speed : choice.speeds) cases.push_back({0, 0, speed});
   if (cases.empty()) cases.push_back({0, 0, std::nullopt});
-  return {{{}, {std::move(model.vehicle)}, {std::move(model.scenario)}, std::move(cases), choice}, false};
+  return {{{}, {std::move(model.vehicle.vehicle)}, {std::move(model.scenario)}, std::move(cases), choice}, false};
 }
 
 std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOptions& common) {
@@ -60,7 +60,7 @@ std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOption
     choice.run.speed = each.speed;
     const double before = static_cast<double>(reports.size());
     reports.push_back(
-        validate(work.vehicles[each.vehicle], work.scenarios[each.scenario], choice,
+        validate(modelOf(work, each), work.scenarios[each.scenario], choice,
                  [&](double share, const std::string& what) { return bar.update((before + share) / count, what); }));
     if (reports.back().stopped) break;
   }

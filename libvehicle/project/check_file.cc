@@ -3,12 +3,12 @@
 #include <utility>
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/project/study_work.h"
 #include "libvehicle/project/suite_work.h"
 #include "libvehicle/project/together.h"
 #include "libvehicle/simulate/file_warnings.h"
-#include "libvehicle/statics/rest.h"
 #include "libvehicle/study/study_warnings.h"
 #include "libvehicle/xml/reader.h"
 
@@ -42,7 +42,7 @@ CheckedFile checkVehicle(const std::string& path, FileKind kind, FileSource& fil
     if (kind == FileKind::kVehicle && !drafts.empty()) checked.vehicle = std::move(drafts.front());
     return checked;
   }
-  checked.warnings = fileWarnings(*checked.vehicle, kGravity);
+  checked.warnings = fileWarnings(compileChecked(*checked.vehicle, kGravity));
   checked.notes = notesOn(*checked.vehicle);
   return checked;
 }
@@ -63,7 +63,7 @@ CheckedFile checkSuite(const std::string& path, FileSource& files) {
   if (!work.value) return checked;
   checked.warnings = unjudgedOf(*work.value);
   for (const Vehicle& each : work.value->vehicles) {
-    const Warnings found = fileWarnings(each, kGravity);
+    const Warnings found = fileWarnings(compileChecked(each, kGravity));
     checked.warnings.insert(checked.warnings.end(), found.begin(), found.end());
   }
   return checked;

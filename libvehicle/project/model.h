@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/storage/run_record.h"
 #include "libvehicle/xml/file_source.h"
 
 namespace vehicle {
 
-/// A vehicle and what it meets, with the texts that they were read from.
+/// A vehicle, compiled, and what it meets, with the texts that they were read from.
 struct Model {
-  Vehicle vehicle;
+  CompiledModel vehicle;  // under the scenario's gravity
   Scenario scenario;
   std::vector<InputFile> inputs;  // vehicle (or train), scenario, vehicles of the train; named by their paths
 };

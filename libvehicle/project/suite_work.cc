@@ -23,6 +23,10 @@ std::vector<ValidationCase> atSpeeds(const std::vector<double>& speeds, const st
 
 }  // namespace
 
+CompiledModel modelOf(const SuiteWork& work, const ValidationCase& of) {
+  return compileChecked(work.vehicles[of.vehicle], work.scenarios[of.scenario].gravity);
+}
+
 Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice, FileSource& files) {
   Outcome<Suite> suite = draftSuite(file, files);
   if (!suite.value) return {std::nullopt, std::move(suite.problems)};

@@ -19,6 +19,9 @@ struct SuiteWork {
   ValidationChoice choice;
 };
 
+/// The vehicle of that case under the gravity of its scenario.
+[[nodiscard]] CompiledModel modelOf(const SuiteWork& work, const ValidationCase& of);
+
 /// Reads a suite and all files that it names. Problems of all of them are reported together: unknown forms and methods,
 /// vehicles that cannot run over a scenario at one of the speeds, cases whose histories would not fit in memory.
 /// @param choice  forms and methods of the command line take the place of the suite's; its speeds that of all

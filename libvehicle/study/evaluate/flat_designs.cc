@@ -24,7 +24,7 @@ FlatDesigns::FlatDesigns(const StudyInputs& inputs)
       vehicle_(inputs.vehicle),
       scenarios_(inputs.scenarios),
       topology_(topologyOf(inputs.vehicle)),
-      layout_(readLayout(inputs.vehicle, topology_).layout) {
+      layout_(readLayout(topology_).layout) {
   for (const StudyParameter& each : inputs.bound.parameters) {
     if (!each.in_vehicle) {
       targets_.emplace_back();
@@ -129,7 +129,7 @@ std::optional<std::string> FlatDesigns::setLong(std::span<const double> values) 
   apply(inputs_.bound, values, vehicle_, scenarios_);
   if (const ProblemList problems = check(vehicle_); !problems.empty()) return firstProblem(problems);
   topology_ = topologyOf(vehicle_);
-  FlatReading reading = readLayout(vehicle_, topology_);
+  FlatReading reading = readLayout(topology_);
   if (!reading.problems.empty()) return firstProblem(reading.problems);
   // Columns are looked up once, by the layout of the base: another front bogie would answer for the first one.
   if (!(reading.layout == layout_)) {

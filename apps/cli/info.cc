@@ -16,7 +16,6 @@
 #include "apps/cli/vehicle_tables.h"
 #include "libvehicle/definition/notes.h"
 #include "libvehicle/simulate/file_warnings.h"
-#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 namespace {
@@ -28,7 +27,7 @@ struct Options {
 };
 
 int printInfo(const Options& options) {
-  const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
+  const Vehicle vehicle = readVehicleOf(options.files);
   const Topology topology = topologyOf(vehicle);
   const Rest rest = restOf(topology, options.gravity);
 
@@ -45,6 +44,7 @@ int printInfo(const Options& options) {
                                                {"unsprung mass", wheelsets, "kg"},
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
+  addSettings(Settings(options.files.settings).all(), document);
   for (Fact& fact : loadFacts(vehicle, topology, rest, options.gravity)) document.facts.push_back(std::move(fact));
   document.tables = {bodyTable(vehicle, topology, rest),
                      wheelsetTable(topology, rest),
@@ -83,6 +83,7 @@ Action addInfo(CLI::App& program) {
       "describe a vehicle or train: masses, static loads, which sets of equations (forms) fit and why others do not");
   addVehicleFile(*command, options->files);
   addGravity(*command, options->gravity);
+  addSet(*command, options->files.settings);
   addCommonOptions(*command, options->common);
   command->footer(
       "Rest positions and deflections count from unloaded springs; loads are static, compression positive.\n"

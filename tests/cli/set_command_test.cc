@@ -133,6 +133,16 @@ TEST(SetCommand, AStudyGoesOnWithTheSameSettingsOnly) {
   EXPECT_TRUE(has(useless.err, "--set has no effect: study show evaluates nothing")) << useless.err;
 }
 
+// The page on comparing designs shows the beginning of this page of the program.
+TEST(SetCommand, IsShownByItsPageAsItPrints) {
+  const ProgramRun run =
+      runVehicle({"modes", model("vehicles/manchester-coach.xml"), "--set", "secondary.stiffness_z=600 kN/m"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string beginning = run.out.substr(0, run.out.find("\n     2 ") + 1);
+  EXPECT_EQ(linesOf(beginning).size(), 8u) << run.out;
+  EXPECT_TRUE(has(textOf(VEHICLE_SOURCE_DIR "/docs/how-to/compare-designs.md"), beginning)) << beginning;
+}
+
 // The base is the vehicle as it has been set: its row is that of a study whose vehicle file says so.
 TEST(SetCommand, AStudyIsThatOfTheEditedVehicle) {
   const Files files;

@@ -132,7 +132,7 @@ TEST(Settings, EveryMistakeIsOneLineThatNamesItsOption) {
       {"frame.colour=1 m",
        R"(parameter "frame.colour" is unknown; write PART.ATTRIBUTE; it has frame.mass, frame.pitch_inertia, frame.x, frame.z)"},
       {"frame.mass=9", R"("9" has no unit; a mass is expected, e.g. "57 t")"},
-      {"primary.stiffness_z=9 kN*s/m", R"("9 kN*s/m" is a damping; a stiffness is expected, e.g. "30 kN/m")"},
+      {"primary.stiffness_z=9 kN*s/m", R"("9 kN*s/m" is a damping; a stiffness is expected, e.g. "3040 kN/m")"},
       {"frame.mass=-9 t", R"(<vehicle><body>: mass="-9 t"; must be > 0)"},
       {"primary.damping_z=-1 N*s/m", R"(<vehicle><element>: damping_z="-1 N*s/m"; must be >= 0)"},
       {"scenario.output_step=0 s", R"(<scenario><run>: output_step="0 s"; must be > 0)"},

@@ -16,7 +16,6 @@
 #include "apps/cli/vehicle_tables.h"
 #include "libvehicle/definition/notes.h"
 #include "libvehicle/simulate/file_warnings.h"
-#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 namespace {
@@ -28,7 +27,7 @@ struct Options {
 };
 
 int printInfo(const Options& options) {
-  const CompiledModel model = compileChecked(readVehicle(options.files.vehicle).orThrow(), options.gravity);
+  const CompiledModel model = compileChecked(readVehicleOf(options.files), options.gravity);
   const Vehicle& vehicle = model.vehicle;
   const Topology& topology = model.topology;
   const Rest& rest = model.rest;
@@ -46,6 +45,7 @@ int printInfo(const Options& options) {
                                                {"unsprung mass", wheelsets, "kg"},
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
+  addSettings(Settings(options.files.settings).all(), document);
   for (Fact& fact : loadFacts(model)) document.facts.push_back(std::move(fact));
   document.tables = {bodyTable(vehicle, topology, rest),
                      wheelsetTable(topology, rest),
@@ -84,6 +84,7 @@ Action addInfo(CLI::App& program) {
       "describe a vehicle or train: masses, static loads, which sets of equations (forms) fit and why others do not");
   addVehicleFile(*command, options->files);
   addGravity(*command, options->gravity);
+  addSet(*command, options->files.settings);
   addCommonOptions(*command, options->common);
   command->footer(
       "Rest positions and deflections count from unloaded springs; loads are static, compression positive.\n"

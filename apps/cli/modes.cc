@@ -21,7 +21,6 @@
 #include "libvehicle/linear/undamped.h"
 #include "libvehicle/simulate/file_warnings.h"
 #include "libvehicle/simulate/simulate.h"
-#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 namespace {
@@ -122,7 +121,7 @@ void requireGravityUsed(const CLI::App& command, const Options& options, const s
 }
 
 int printModes(const Options& options, const CLI::App& command) {
-  const CompiledModel model = compileChecked(readVehicle(options.files.vehicle).orThrow(), options.gravity);
+  const CompiledModel model = compileChecked(readVehicleOf(options.files), options.gravity);
   const std::string form = options.form.empty() ? defaultForm(model.topology) : options.form;
   if (!isLinearForm(form))
     throw std::invalid_argument(fmt::format("--form: modes need a linear form; {} is nonlinear", form));
@@ -136,6 +135,7 @@ int printModes(const Options& options, const CLI::App& command) {
                     {eigenvalueTable(modes, undamped),
                      formatted ? shapeMatrix(modes, system->states()) : shapeList(modes, system->states())},
                     {}};
+  addSettings(Settings(options.files.settings).all(), document);
   addWarnings(warnings, options.common, document);
   printToStdout(document, options.common.format);
   std::cout.flush();
@@ -157,6 +157,7 @@ Action addModes(CLI::App& program) {
       ->type_name("NAME")
       ->check(oneOf(formNames()));
   addGravity(*command, options->gravity);
+  addSet(*command, options->files.settings);
   addCommonOptions(*command, options->common);
   command->footer(
       "frequency is |lambda| / 2 pi, damped frequency |Im lambda| / 2 pi, undamped frequency that of masses and "

@@ -16,6 +16,7 @@ RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult&
                        {"method", result.method},
                        {"speed", fmt::format("{} m/s", result.speed)},
                        {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
+  for (const Setting& each : model.settings) record.attributes.emplace_back("set " + each.address, each.value);
   if (result.method == "rk4" || result.method == "rk4_split") {
     record.attributes.emplace_back("step", fmt::format("{} s", result.step));
   }

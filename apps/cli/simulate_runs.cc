@@ -129,6 +129,7 @@ int simulateSpeeds(const SimulateOptions& options, const Model& model) {
                     {"form", first.form, ""},
                     {"method", first.method, ""},
                     {"speeds", static_cast<long>(runs.size()), ""}};
+  addSettings(model.settings, document);
   document.tables = {runTable(runs),
                      speedTable(runs.front().columns, summaries, options.common.format)};
   const Warnings warnings = warningsOf(runs);

@@ -104,21 +104,10 @@ class Binder {
       found.dimension = own->dimension;
     }
     if (!known) {
-      const std::optional<std::string> nearest = nearestName(found.address, addresses_);
-      judge.say("parameter \"" + found.address + "\" is unknown",
-                nearest ? "did you mean \"" + *nearest + "\"?" : "write PART.ATTRIBUTE" + attributesOf(found.address));
+      const Problem unknown = unknownParameter(found.address, addresses_);
+      judge.say(unknown.message, unknown.remedy);
     }
     return known;
-  }
-
-  /// What may follow the name of a part that exists: " of carbody: mass, pitch_inertia, x, z".
-  [[nodiscard]] std::string attributesOf(const std::string& address) const {
-    const std::string part = address.substr(0, address.rfind('.')) + '.';
-    std::string list;
-    for (const std::string& each : addresses_) {
-      if (each.starts_with(part)) list += (list.empty() ? "; it has " : ", ") + each;
-    }
-    return list.empty() ? ", e.g. " + addresses_.front() + ", or speed, or scenario.NAME.ATTRIBUTE" : list;
   }
 
   void bindColumn(const Channel& column, const Place& header) {

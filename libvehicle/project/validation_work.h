@@ -1,0 +1,39 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "libvehicle/project/suite_work.h"
+#include "libvehicle/xml/file_source.h"
+
+namespace vehicle {
+
+/// One vehicle on one scenario, at one or several speeds, or all of a suite.
+struct ValidationWork {
+  SuiteWork cases;
+  bool is_suite = false;
+  /// A suite, or one vehicle and scenario at several speeds: one line for each case.
+  [[nodiscard]] bool hasSeveral() const { return is_suite || cases.cases.size() > 1; }
+};
+
+/// Reads a vehicle and a scenario, or a suite alone with all files that it names.
+/// @param scenario  "" with a suite
+/// @throws InvalidInput           a file is wrong
+/// @throws std::invalid_argument  a scenario beside a suite, or none beside a vehicle
+[[nodiscard]] ValidationWork readValidationWork(const std::string& vehicle_or_suite, const std::string& scenario,
+                                                const ValidationChoice& choice, FileSource& files);
+
+/// What runs in any of the cases.
+struct PlannedRuns {
+  std::set<std::string> methods;
+  bool shares = false;  // some run among threads where the choice omits none of them
+};
+/// Cost: the eigenvalues of every vehicle.
+[[nodiscard]] PlannedRuns plannedRuns(const SuiteWork& work);
+
+/// Validates case by case; one that is ended early is the last.
+[[nodiscard]] std::vector<ValidationReport> validateCases(const SuiteWork& work,
+                                                          const ValidationProgress& progress = {});
+
+}  // namespace vehicle

@@ -14,7 +14,7 @@ RunResult resultAt(double speed, double peak) {
   RunResult result;
   result.speed = speed;
   result.statistics.steps = 7;
-  result.history = TimeHistory({{"carbody.z", "m"}});
+  result.history = TimeHistory(std::vector<Channel>{{"carbody.z", "m"}});
   ColumnSummary summary;
   summary.lowest = -peak;
   summary.highest = 0.5 * peak;

@@ -1,20 +1,11 @@
-#include <iostream>
 #include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/commands.h"
-#include "apps/cli/exit_status.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/remarks.h"
-#include "apps/cli/stdout_page.h"
-#include "apps/cli/vehicle_figures.h"
-#include "apps/cli/vehicle_tables.h"
-#include "libvehicle/definition/notes.h"
+#include "libvehicle/report/vehicle/vehicle_tables.h"
 #include "libvehicle/simulate/file_warnings.h"
 
 namespace vehicle::cli {
@@ -27,50 +18,11 @@ struct Options {
 };
 
 int printInfo(const Options& options) {
-  const CompiledModel model = compileChecked(readVehicleOf(options.files), options.gravity);
-  const Vehicle& vehicle = model.vehicle;
-  const Topology& topology = model.topology;
-  const Rest& rest = model.rest;
-
-  double bodies = 0.0, wheelsets = 0.0;
-  for (const TopologyBody& body : topology.bodies) bodies += body.mass;
-  for (const TopologyWheelset& wheelset : topology.wheelsets) wheelsets += wheelset.mass;
-  Document document;
-  document.facts = {{"vehicle", vehicle.name, ""}};
-  if (!vehicle.title.empty()) document.facts.push_back({"title", vehicle.title, ""});
-  if (!vehicle.source.empty()) document.facts.push_back({"source", vehicle.source, ""});
-  if (!vehicle.units.empty()) document.facts.push_back({"vehicles", static_cast<long>(vehicle.units.size()), ""});
-  document.facts.insert(document.facts.end(), {{"degrees of freedom", static_cast<long>(topology.coordinates), ""},
-                                               {"total mass", bodies + wheelsets, "kg"},
-                                               {"unsprung mass", wheelsets, "kg"},
-                                               {"heights given", topology.has_heights, ""},
-                                               {"gravity", options.gravity, "m/s^2"}});
-  addSettings(Settings(options.files.settings).all(), document);
-  for (Fact& fact : loadFacts(model)) document.facts.push_back(std::move(fact));
-  document.tables = {bodyTable(vehicle, topology, rest),
-                     wheelsetTable(topology, rest),
-                     suspensionTable(topology, rest),
-                     carbodyTable(model),
-                     formTable(topology),
-                     misfitTable(topology)};
-  if (const std::string form = defaultForm(topology); !document.tables.back().rows.empty()) {
-    document.remarks.push_back("a form that does not fit is no mistake in the file: the form " + form +
-                               " computes this vehicle");
-  }
-  Table unused = unusedTable(vehicle);
-  if (options.common.format != Format::kTable) {
-    document.tables.push_back(std::move(unused));
-  } else if (!unused.rows.empty()) {
-    document.remarks.push_back(unusedLine(unused));
-  }
-  if (!vehicle.units.empty()) {
-    document.tables.insert(document.tables.begin(), unitTable(vehicle, topology, rest));
-  }
+  const CompiledModel model = readVehicleOf(options.files, options.gravity);
+  const report::Document document = report::documentOf(model, figuresOf(model), options.common.format);
   const Warnings warnings = fileWarnings(model);
-  addWarnings(warnings, options.common, document);
-  printToStdout(document, options.common.format);
-  std::cout.flush();
-  printNotes(notesOn(vehicle), options.common);
+  printDocument(withSettings(document, Settings(options.files.settings).all()), warnings, options.common);
+  printNotes(notesOn(model.vehicle), options.common);
   printWarnings(warnings);
   return statusAfter(warnings, options.common);
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
+
+#include <CLI/App.hpp>
 
 #include "apps/cli/options.h"
 #include "libvehicle/xml/reader.h"
@@ -44,16 +47,17 @@ void requireOneSpeed(const CLI::App& command, const std::vector<Setting>& settin
   throw std::invalid_argument("--speed and --set speed both give the running speed; give one of them");
 }
 
-void addSettings(const std::vector<Setting>& settings, Document& document) {
+report::Document withSettings(report::Document document, const std::vector<Setting>& settings) {
   for (const Setting& each : settings) document.facts.push_back({"set " + each.address, each.value, ""});
+  return document;
 }
 
-Vehicle readVehicleOf(const ModelFiles& files) {
+CompiledModel readVehicleOf(const ModelFiles& files, double gravity) {
   Vehicle vehicle = readVehicle(files.vehicle).orThrow();
   Settings settings(files.settings);
   settings.apply(vehicle);
   settings.requireRight();
-  return vehicle;
+  return compileChecked(std::move(vehicle), gravity);
 }
 
 Model readModel(const ModelFiles& files) {

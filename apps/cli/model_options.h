@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "apps/cli/document.h"
+#include "apps/cli/cli11.h"
 #include "libvehicle/project/model.h"
+#include "libvehicle/report/document/document.h"
 
 namespace vehicle::cli {
 
@@ -27,12 +26,13 @@ void addGravity(CLI::App& command, double& gravity);
 void addSet(CLI::App& command, std::vector<std::string>& settings, const std::string& remark = "");
 /// @throws std::invalid_argument  --speed and --set speed are both given
 void requireOneSpeed(const CLI::App& command, const std::vector<Setting>& settings);
-/// A fact for each setting, after those that are there.
-void addSettings(const std::vector<Setting>& settings, Document& document);
+/// The document with a fact for each setting behind those that are there.
+[[nodiscard]] report::Document withSettings(report::Document document, const std::vector<Setting>& settings);
 
-/// Reads the vehicle alone.
+/// Reads the vehicle alone and compiles it.
+/// @param gravity  [m/s^2]
 /// @throws InvalidInput, std::invalid_argument  a file, a setting is wrong
-[[nodiscard]] Vehicle readVehicleOf(const ModelFiles& files);
+[[nodiscard]] CompiledModel readVehicleOf(const ModelFiles& files, double gravity);
 /// Reads both, with the texts that they are made of.
 /// @throws InvalidInput, std::invalid_argument
 [[nodiscard]] Model readModel(const ModelFiles& files);

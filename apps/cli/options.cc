@@ -5,15 +5,16 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
-#include "apps/cli/exit_status.h"
-#include "apps/cli/stdout_page.h"
-#include "apps/cli/text_wrap.h"
+#include "apps/cli/help_layout.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/project/speeds.h"
+#include "libvehicle/report/document/text_wrap.h"
 
 namespace vehicle::cli {
 namespace {
@@ -60,31 +61,10 @@ std::size_t helpWidth() {
   return std::min(kWidest, pageWidth());
 }
 
-/// Two columns; what does not fit stands below the beginning of `right`.
-std::string twoColumns(const std::vector<std::pair<std::string, std::string>>& lines) {
-  std::size_t width = 0;
-  for (const auto& [left, right] : lines) width = std::max(width, left.size());
-  std::string text;
-  for (const auto& [left, right] : lines) {
-    text += "  " + left + std::string(width - left.size() + 2, ' ') + wrapped(right, helpWidth(), width + 4) + '\n';
-  }
-  return text;
-}
-
-/// Sentences as wide as the page; command lines as they are, to be copied.
-std::string footerOf(const std::string& footer) {
-  std::istringstream stream(footer);
-  std::string text;
-  for (std::string line; std::getline(stream, line);) {
-    const bool is_command = line.starts_with("Example: ") || line.starts_with(' ') || line.ends_with('\\');
-    text += (is_command ? line : wrapped(line, helpWidth())) + '\n';
-  }
-  return text;
-}
-
 }  // namespace
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
+  using report::Format;
   static const std::map<std::string, Format> formats = {
       {"table", Format::kTable}, {"csv", Format::kCsv}, {"json", Format::kJson}};
   command
@@ -130,6 +110,17 @@ CLI::Option* addCount(CLI::App& command, const std::string& name, int& count, co
   return command.add_option_function<std::string>(name, read, help)->type_name("N");
 }
 
+void addSpeeds(CLI::App& command, const std::string& help, std::vector<double>& speeds) {
+  const auto read = [&speeds](const std::string& text) {
+    try {
+      speeds = parseSpeeds(text);
+    } catch (const std::invalid_argument& wrong) {
+      throw CLI::ValidationError(fmt::format("--speed: {}", wrong.what()), CLI::ExitCodes::ValidationError);
+    }
+  };
+  command.add_option_function<std::string>("--speed", read, help)->type_name("SPEEDS");
+}
+
 void addRunSettings(CLI::App& command, RunChoice& choice) {
   addQuantity(command, "--step", Dimension::kTime,
               "rk4: largest step, shortened to end on samples and breakpoints of the rail   "
@@ -143,6 +134,24 @@ void addRunSettings(CLI::App& command, RunChoice& choice) {
   addQuantity(command, "--accuracy", Dimension::kNumber,
               "simbody_rkm: 100 to 300 times tighter than the error wanted   (default: 1e-10)",
               [&choice](double value) { choice.accuracy = value; });
+}
+
+void addOverwrite(CLI::App& command, Overwrite& overwrite, const std::string& more) {
+  command.add_flag_callback(
+      "--overwrite", [&overwrite] { overwrite = Overwrite::kAnyFile; },
+      "replace files that this program has not written, too, but no input" + more +
+          "   (default: only outputs of earlier runs and empty files are replaced)");
+}
+
+void requireOutputForOverwrite(const CLI::App& command, const std::vector<std::string>& outputs) {
+  if (command.count("--overwrite") == 0) return;
+  std::string names;
+  for (const std::string& each : outputs) {
+    if (command.count(each) > 0) return;
+    names += (names.empty() ? "" : " or ") + each;
+  }
+  throw std::invalid_argument(
+      fmt::format("--overwrite has no effect: nothing is to be written; omit it, or add {}", names));
 }
 
 CLI::Validator oneOf(const std::vector<std::string>& names) {
@@ -172,13 +181,13 @@ std::string HelpLayout::make_help(const CLI::App* app, std::string, CLI::AppForm
   for (const CLI::App* command : app->get_subcommands(nullptr)) {
     commands.emplace_back(command->get_name(), command->get_description());
   }
-  std::string text = wrapped(usage + " [options]", helpWidth(), 4) + "\n\n" +
-                     wrapped(sentence(app->get_description()), helpWidth()) + "\n\n";
-  if (!commands.empty()) text += twoColumns(commands) + "\n";
-  if (!arguments.empty()) text += twoColumns(arguments) + "\n";
+  std::string text = report::wrapped(usage + " [options]", helpWidth(), 4) + "\n\n" +
+                     report::wrapped(sentence(app->get_description()), helpWidth()) + "\n\n";
+  if (!commands.empty()) text += report::twoColumns(commands, helpWidth()) + "\n";
+  if (!arguments.empty()) text += report::twoColumns(arguments, helpWidth()) + "\n";
   const std::string exit_status = "Exit status: ";
-  text += twoColumns(options) + "\n" + footerOf(app->get_footer());
-  return text + exit_status + wrapped(kExitStatusHelp, helpWidth(), exit_status.size()) + "\n";
+  text += report::twoColumns(options, helpWidth()) + "\n" + report::wrappedPage(app->get_footer(), helpWidth());
+  return text + exit_status + report::wrapped(kExitStatusHelp, helpWidth(), exit_status.size()) + "\n";
 }
 
 void requireGivenOnce(const CLI::App& command) {

@@ -3,24 +3,19 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
-#include "apps/cli/chrome_trace.h"
 #include "apps/cli/commands.h"
-#include "apps/cli/exit_status.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/outputs.h"
-#include "apps/cli/profile_realtime.h"
-#include "apps/cli/profile_run.h"
-#include "apps/cli/profile_tables.h"
-#include "apps/cli/progress.h"
-#include "apps/cli/remarks.h"
 #include "apps/cli/run_options.h"
-#include "apps/cli/stdout_page.h"
-#include "apps/cli/thread_options.h"
-#include "apps/cli/timeline.h"
+#include "libvehicle/report/profile/profile_tables.h"
+#include "libvehicle/report/profile/realtime_tables.h"
+#include "libvehicle/report/trace/chrome_trace.h"
+#include "libvehicle/report/trace/timeline.h"
 #include "libvehicle/simulate/file_warnings.h"
 #include "libvehicle/storage/atomic_file.h"
 
@@ -37,12 +32,10 @@ struct Options {
   CommonOptions common;
 };
 
-void store(const std::string& file, const std::string& text, bool quiet) {
+void store(const std::string& file, const std::string& text, const CommonOptions& common) {
   if (file.empty()) return;
-  AtomicFile written(file);
-  written.write(text);
-  written.publish();
-  if (!quiet) std::cerr << fmt::format("written: {}\n", file);
+  writeAtomically(file, text);
+  printWritten({file}, common);
 }
 
 /// By the clock one thread makes rk4 steps of one period, and nothing is traced.
@@ -68,42 +61,59 @@ void requireOptionsUsed(const CLI::App& command, const Options& options, const M
   requireThreadsFor(command, {"--waiting", "--pinning", "--priority", "--every"}, options.choice);
 }
 
+int profileByTheClock(const Model& model, const Options& options) {
+  const double period = options.period.value();
+  RealtimeRun run;
+  {
+    ProgressBar bar(options.common.progress(), durationOf(model.scenario), "s");
+    run = simulateRealtime(model.vehicle, model.scenario, options.choice, period,
+                           [&](double share) { return bar.update(share, "realtime"); });
+  }
+  Warnings warnings = fileWarnings(model.vehicle);
+  warnings.insert(warnings.end(), run.warnings.begin(), run.warnings.end());
+  const report::RunNames names{model.vehicle.vehicle.name, model.scenario.name, run.form, "rk4"};
+  printDocument(withSettings(report::documentOf(names, run, period), model.settings), warnings, options.common);
+  printWarnings(warnings);
+  if (!run.report.stopped) return statusAfter(warnings, options.common);
+  std::cerr << fmt::format("vehicle: interrupted after {} of {} steps; the figures above end there\n", run.report.steps,
+                           run.steps);
+  return kInterrupted;
+}
+
+int profileThreads(const Model& model, const Options& options) {
+  Profile profile;
+  {
+    ProgressBar bar(options.common.progress(), 1.0, "profiles");
+    profile = profileOf(model.vehicle, model.scenario, options.choice, options.every,
+                        [&](double share) { return bar.update(share, "profile"); });
+  }
+  if (profile.stopped) {
+    std::cerr << "vehicle: interrupted; the threads were not watched to the end\n";
+    return kInterrupted;
+  }
+  // The equations, not the motion, are what is profiled: of the run itself nothing is said.
+  const Warnings warnings = fileWarnings(model.vehicle);
+  const report::RunNames names{model.vehicle.vehicle.name, model.scenario.name, profile.run.form, profile.run.method};
+  printDocument(withSettings(report::documentOf(names, profile), model.settings), warnings, options.common);
+  printWarnings(warnings);
+  const std::string title = report::titleOf(profile, model.vehicle.vehicle.name);
+  store(options.trace, report::chromeTraceOf(profile.trace, title), options.common);
+  store(options.timeline, report::timelineOf(profile.trace, title), options.common);
+  return statusAfter(warnings, options.common);
+}
+
 int profileAndPrint(const Options& options, const CLI::App& command) {
   requireOutputForOverwrite(command, {"--trace", "--timeline"});
   if (options.period) requireUsedByTheClock(command);
   const Model model = readModel(options.files);
   requireOneSpeed(command, model.settings);
   OutputGuard guard(options.overwrite);
-  protectModel(guard, model);
+  protectInputs(guard, model);
   if (command.count("--trace") > 0) guard.claim(options.trace, "--trace", OutputKind::kTrace);
   if (command.count("--timeline") > 0) guard.claim(options.timeline, "--timeline", OutputKind::kTimeline);
   requireOptionsUsed(command, options, model);
-  printNotesOn({model.scenario}, options.common);
-  if (options.period) return profileByTheClock(model, options.choice, *options.period, options.common);
-  Profile profile;
-  {
-    const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
-    ProgressBar bar(shown, 1.0, "profiles");
-    const auto ask = [&](double share) { return bar.update(share, "profile"); };
-    profile = profileOf(model, options.choice, options.every, ask);
-  }
-  if (profile.stopped) {
-    std::cerr << "vehicle: interrupted; the threads were not watched to the end\n";
-    return kInterrupted;
-  }
-  Document document = documentOf(profile);
-  const std::vector<Fact> names = namesOf(model, profile.run.form, profile.run.method, profile.run.speed);
-  document.facts.insert(document.facts.begin(), names.begin(), names.end());
-  addSettings(model.settings, document);
-  // The equations, not the motion, are what is profiled: of the run itself nothing is said.
-  const Warnings warnings = fileWarnings(model.vehicle);
-  addWarnings(warnings, options.common, document);
-  printToStdout(document, options.common.format);
-  printWarnings(warnings);
-  const std::string title = titleOf(profile, model.vehicle.vehicle.name);
-  store(options.trace, chromeTraceOf(profile.trace, title), options.common.quiet);
-  store(options.timeline, timelineOf(profile.trace, title), options.common.quiet);
-  return statusAfter(warnings, options.common);
+  printNotes(notesOn(std::vector<Scenario>{model.scenario}), options.common);
+  return options.period ? profileByTheClock(model, options) : profileThreads(model, options);
 }
 
 }  // namespace

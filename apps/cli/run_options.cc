@@ -1,11 +1,17 @@
 #include "apps/cli/run_options.h"
 
 #include <algorithm>
+#include <charconv>
+#include <map>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
+#include "apps/cli/options.h"
 #include "libvehicle/partition/scheme.h"
+#include "libvehicle/partition/team/waiting.h"
+#include "libvehicle/simulate/thread_choice.h"
 
 namespace vehicle::cli {
 namespace {
@@ -14,10 +20,6 @@ namespace {
 bool isGiven(const CLI::App& command, const std::string& option) {
   const CLI::Option* known = command.get_option_no_throw(option);
   return known != nullptr && known->count() > 0;
-}
-
-[[noreturn]] void refuse(const std::string& option, const std::string& why, const std::string& remedy) {
-  throw std::invalid_argument(fmt::format("{} has no effect: {}; {}", option, why, remedy));
 }
 
 struct Setting {
@@ -36,7 +38,69 @@ constexpr Setting kSettings[] = {
 /// One thread, known before the run: the number is 1, or the scheme says so.
 bool isAlone(const RunChoice& choice) { return choice.threads == 1 || choice.scheme == nameOf(Scheme::kSerial); }
 
+int threadsOf(const std::string& text) {
+  if (text == "auto") return 0;
+  int threads = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, threads);
+  if (error != std::errc() || stop != end || threads < 1 || threads > kMostThreads) {
+    throw CLI::ValidationError(
+        fmt::format("--threads: \"{}\" must be a whole number 1..{}, or auto", text, kMostThreads),
+        CLI::ExitCodes::ValidationError);
+  }
+  return threads;
+}
+
+void addName(CLI::App& command, const char* option, std::string& name, const std::vector<std::string>& names,
+             const char* help) {
+  command.add_option(option, name, help)->type_name("NAME")->check(oneOf(names));
+}
+
+// A table of names and what they stand for makes an option of its own type.
+template <class Value>
+void addChoice(CLI::App& command, const char* option, Value& value, const std::map<std::string, Value>& known,
+               const char* help) {
+  std::vector<std::string> names;
+  for (const auto& [name, meaning] : known) names.push_back(name);
+  command
+      .add_option_function<std::string>(
+          option, [&value, known](const std::string& name) { value = known.at(name); }, help)
+      ->type_name("NAME")
+      ->check(oneOf(names));
+}
+
 }  // namespace
+
+void addSharing(CLI::App& command, RunChoice& choice, const std::string& default_threads) {
+  command
+      .add_option_function<std::string>(
+          "--threads", [&choice](const std::string& text) { choice.threads = threadsOf(text); },
+          "threads that share the run, or auto: what a short calibration finds to be fastest   (default: " +
+              default_threads + ")")
+      ->type_name("N");
+  addName(command, "--scheme", choice.scheme, schemeNames(),
+          "how they share it: serial | stages | halo | pipeline (rk4), rows (exact), "
+          "split (rk4_split, exact_split)   (default: serial on 1 thread, else the fastest known for the method)");
+  addName(command, "--map", choice.map, equationMapNames(),
+          "stages, halo, rows: who computes which equation, paper | body | auto   (default: auto)");
+}
+
+void addTeam(CLI::App& command, TeamChoice& team) {
+  addName(command, "--waiting", team.waiting, waitingNames(),
+          "how a thread waits for another: auto | spin | yield | sleep   (default: auto)");
+  addChoice(command, "--pinning", team.pinning,
+            std::map<std::string, Pinning>{{"cores", Pinning::kCores}, {"free", Pinning::kFree}},
+            "cores: each thread stays on a core of its own as far as there are enough; free: the scheduler moves "
+            "them   (default: cores)");
+  addChoice(command, "--priority", team.priority,
+            std::map<std::string, Priority>{
+                {"normal", Priority::kNormal}, {"raised", Priority::kRaised}, {"fifo", Priority::kFifo}},
+            "normal | raised | fifo, as far as the system permits   (default: normal, with --realtime fifo)");
+}
+
+void refuseWithoutEffect(const std::string& option, const std::string& why, const std::string& remedy) {
+  throw std::invalid_argument(fmt::format("{} has no effect: {}; {}", option, why, remedy));
+}
 
 void requireSettingsUsed(const CLI::App& command, const std::vector<std::string>& methods, const std::string& why) {
   for (const Setting& each : kSettings) {
@@ -44,8 +108,8 @@ void requireSettingsUsed(const CLI::App& command, const std::vector<std::string>
     const bool is_read = std::any_of(methods.begin(), methods.end(),
                                      [&](const std::string& method) { return settingsReadBy(method).*each.is_read; });
     if (!is_read) {
-      refuse(each.option, fmt::format("{}, and {}", why, each.rule),
-             fmt::format("omit it, or take --method {}", each.remedy));
+      refuseWithoutEffect(each.option, fmt::format("{}, and {}", why, each.rule),
+                          fmt::format("omit it, or take --method {}", each.remedy));
     }
   }
 }
@@ -54,22 +118,23 @@ void requireSpeedUsed(const CLI::App& command, const std::vector<Scenario>& scen
   if (!isGiven(command, "--speed") || scenarios.empty()) return;
   const auto needs = [](const Scenario& each) { return each.track.has_value() || each.run.distance.has_value(); };
   if (std::any_of(scenarios.begin(), scenarios.end(), needs)) return;
-  refuse("--speed",
-         fmt::format("the scenario \"{}\" is a rig with a duration, where no wheel rolls", scenarios.front().name),
-         "omit it");
+  refuseWithoutEffect(
+      "--speed",
+      fmt::format("the scenario \"{}\" is a rig with a duration, where no wheel rolls", scenarios.front().name),
+      "omit it");
 }
 
 void requireSharingUsed(const CLI::App& command, const RunChoice& choice) {
   if (!isAlone(choice)) return;
   const bool shares = !choice.scheme.empty() && choice.scheme != nameOf(Scheme::kSerial);
   if (isGiven(command, "--scheme") && shares) {
-    refuse(fmt::format("--scheme {}", choice.scheme), "the run has one thread and shares nothing",
-           "omit it, or add --threads 2");
+    refuseWithoutEffect(fmt::format("--scheme {}", choice.scheme), "the run has one thread and shares nothing",
+                        "omit it, or add --threads 2");
   }
   if (isGiven(command, "--map")) {
-    refuse(fmt::format("--map {}", choice.map), "the run has one thread, which computes all equations",
-           shares || choice.scheme.empty() ? "omit it, or add --threads 2"
-                                           : "omit it, or take --threads 2 with another scheme");
+    refuseWithoutEffect(fmt::format("--map {}", choice.map), "the run has one thread, which computes all equations",
+                        shares || choice.scheme.empty() ? "omit it, or add --threads 2"
+                                                        : "omit it, or take --threads 2 with another scheme");
   }
 }
 
@@ -77,7 +142,7 @@ void requireThreadsFor(const CLI::App& command, const std::vector<std::string>& 
   if (!isAlone(choice)) return;
   for (const std::string& each : options) {
     if (isGiven(command, each)) {
-      refuse(each, "the run has one thread, the program's own", "omit it, or take --threads 2");
+      refuseWithoutEffect(each, "the run has one thread, the program's own", "omit it, or take --threads 2");
     }
   }
 }

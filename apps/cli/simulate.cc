@@ -5,92 +5,101 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/commands.h"
-#include "apps/cli/exit_status.h"
-#include "apps/cli/history_table.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/outputs.h"
-#include "apps/cli/progress.h"
-#include "apps/cli/remarks.h"
 #include "apps/cli/run_options.h"
-#include "apps/cli/simulate_runs.h"
-#include "apps/cli/speeds.h"
-#include "apps/cli/stdout_page.h"
-#include "apps/cli/thread_options.h"
-#include "libvehicle/simulate/stiffness.h"
+#include "libvehicle/diagnostics/warning_collector.h"
+#include "libvehicle/project/run_files.h"
+#include "libvehicle/project/speeds.h"
+#include "libvehicle/report/run/run_document.h"
+#include "libvehicle/simulate/run_notes.h"
 
 namespace vehicle::cli {
 namespace {
 
-int simulateOnce(const SimulateOptions& options, const Model& model) {
-  const auto shown = options.common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
+struct Options {
+  ModelFiles files;
+  RunChoice choice;
+  std::vector<double> speeds;  // [m/s]; empty: the scenario's
+  std::vector<std::string> outputs;
+  Overwrite overwrite = Overwrite::kOwnFiles;
+  CommonOptions common;
+};
+
+report::RunNames namesOf(const Model& model, const RunResult& result) {
+  return {model.vehicle.vehicle.name, model.scenario.name, result.form, result.method};
+}
+
+int simulateOnce(const Options& options, const Model& model) {
   RunResult result;
   {
-    ProgressBar bar(shown, durationOf(model.scenario), "s");
-    result = runAndStore(model, options.choice, options.outputs,
-                         [&](double share) { return bar.update(share, "simulate"); });
+    ProgressBar bar(options.common.progress(), durationOf(model.scenario), "s");
+    result = simulateAndStore(model, options.choice, {options.outputs, VEHICLE_VERSION},
+                              [&](double share) { return bar.update(share, "simulate"); });
   }
-
-  Document document;
-  document.facts = {{"vehicle", model.vehicle.vehicle.name, ""},
-                    {"scenario", model.scenario.name, ""},
-                    {"form", result.form, ""},
-                    {"method", result.method, ""},
-                    {"speed", result.speed, "m/s"}};
-  addSettings(model.settings, document);
-  for (Fact& fact : sharingFacts(result)) document.facts.push_back(std::move(fact));
-  document.facts.insert(document.facts.end(), {{"end of run", result.reached, "s"},
-                                               {"samples", result.outputs, ""},
-                                               {"steps", result.statistics.steps, ""},
-                                               {"evaluations", result.statistics.evaluations, ""},
-                                               {"rejected steps", result.statistics.rejected, ""},
-                                               {"run time", result.wall_seconds, "s"}});
-  document.tables = {decisionTable(result.decision),
-                     historyTable(result.history.columns(), result.summaries, options.common.format)};
-  addWarnings(result.warnings, options.common, document);
-  printToStdout(document, options.common.format);
-  for (const std::string& note : result.notes) printNote(note, options.common);
-  noteUnshared(options.choice, result, options.common);
-  if (const std::string note = stiffnessNote(model.vehicle, model.scenario, options.choice, result); !note.empty()) {
+  const report::Document document = report::documentOf(namesOf(model, result), result, options.common.format);
+  printDocument(withSettings(document, model.settings), result.warnings, options.common);
+  for (const std::string& note : notesOn(model.vehicle, model.scenario, options.choice, result)) {
     printNote(note, options.common);
   }
   printWarnings(result.warnings);
-  for (const std::string& output : options.outputs) {
-    if (!options.common.quiet) std::cerr << fmt::format("written: {}\n", output);
-  }
+  printWritten(options.outputs, options.common);
   if (!result.statistics.stopped) return statusAfter(result.warnings, options.common);
   std::cerr << fmt::format("vehicle: interrupted at t = {:.6g} s; the columns above{} end there\n", result.reached,
                            options.outputs.empty() ? "" : " and the files written");
   return kInterrupted;
 }
 
-int simulateAndStore(SimulateOptions options, const CLI::App& command) {
+int simulateAtSpeeds(const Options& options, const Model& model) {
+  std::vector<RunResult> runs;
+  {
+    ProgressBar bar(options.common.progress(), static_cast<double>(options.speeds.size()), "runs");
+    runs = simulateSpeeds(model, options.choice, options.speeds, {options.outputs, VEHICLE_VERSION},
+                          [&](double share) { return bar.update(share, "simulate"); });
+  }
+  WarningCollector collector;
+  for (const RunResult& each : runs) collector.add(each.warnings, "at " + speedText(each.speed));
+  const Warnings warnings = collector.take();
+  const report::Document document = report::documentOf(namesOf(model, runs.front()), runs, options.common.format);
+  printDocument(withSettings(document, model.settings), warnings, options.common);
+  for (const std::string& note : notesOn(model.vehicle, model.scenario, options.choice, runs)) {
+    printNote(note, options.common);
+  }
+  printWarnings(warnings);
+  for (const RunResult& each : runs) printWritten(filesAtSpeed(options.outputs, each.speed), options.common);
+  const RunResult& last = runs.back();
+  if (!last.statistics.stopped) return statusAfter(warnings, options.common);
+  std::cerr << fmt::format("vehicle: interrupted at {} at t = {:.6g} s; {} of {} speeds are finished\n",
+                           speedText(last.speed), last.reached, runs.size() - 1, options.speeds.size());
+  return kInterrupted;
+}
+
+int simulateAndPrint(Options options, const CLI::App& command) {
   requireOutputForOverwrite(command, {"--output"});
   const Model model = readModel(options.files);
   requireOneSpeed(command, model.settings);
   const bool is_one = options.speeds.size() < 2;
   if (options.speeds.size() == 1) options.choice.speed = options.speeds.front();
   OutputGuard guard(options.overwrite);
-  protectModel(guard, model);
-  std::vector<std::string> outputs = options.outputs;
-  if (!is_one) {
-    outputs.clear();
-    for (const double speed : options.speeds) {
-      for (std::string& each : outputsAt(options, speed)) outputs.push_back(std::move(each));
-    }
+  protectInputs(guard, model);
+  std::vector<std::string> outputs;
+  if (is_one) outputs = options.outputs;
+  for (const double speed : is_one ? std::vector<double>{} : options.speeds) {
+    for (std::string& each : filesAtSpeed(options.outputs, speed)) outputs.push_back(std::move(each));
   }
   for (const std::string& output : outputs) guard.claim(output, "--output", OutputKind::kHistory);
   requireRunOptionsUsed(command, options.choice, model);
   printNotes(notesOn(model.scenario), options.common);
-  return is_one ? simulateOnce(options, model) : simulateSpeeds(options, model);
+  return is_one ? simulateOnce(options, model) : simulateAtSpeeds(options, model);
 }
 
 }  // namespace
 
 Action addSimulate(CLI::App& program) {
-  const auto options = std::make_shared<SimulateOptions>();
+  const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("simulate", "simulate one vehicle over one track");
   addVehicleFile(*command, options->files);
   addScenarioFile(*command, options->files);
@@ -132,7 +141,7 @@ Action addSimulate(CLI::App& program) {
       "Threads change the time that a run takes and no bit of its result.\n"
       "Example: vehicle simulate models/vehicles/al-oraiqat-2017.xml models/scenarios/paper-20mps.xml \\\n"
       "             --speed \"60:20:120 km/h\" --output run.h5");
-  return [options, command] { return simulateAndStore(*options, *command); };
+  return [options, command] { return simulateAndPrint(*options, *command); };
 }
 
 }  // namespace vehicle::cli

@@ -1,27 +1,22 @@
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/commands.h"
-#include "apps/cli/exit_status.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "apps/cli/progress.h"
-#include "apps/cli/remarks.h"
-#include "apps/cli/speeds.h"
-#include "apps/cli/stdout_page.h"
-#include "apps/cli/validation_options.h"
-#include "apps/cli/validation_tables.h"
-#include "libvehicle/project/suite_work.h"
-#include "libvehicle/xml/reader.h"
+#include "apps/cli/run_options.h"
+#include "libvehicle/project/validation_work.h"
+#include "libvehicle/report/validation/validation_tables.h"
+#include "libvehicle/validation/overall.h"
 
 namespace vehicle::cli {
 namespace {
@@ -34,97 +29,104 @@ struct Options {
   bool allow_unjudged = false;
 };
 
-/// VEHICLE and SCENARIO, or a suite alone and all files that it names.
-ValidationWork readWork(const ModelFiles& named, const ValidationChoice& choice) {
-  FileSource disk;
-  Settings settings(named.settings);
-  const bool is_suite = kindOf(named.vehicle, disk).orThrow() == FileKind::kSuite;
-  if (is_suite && !named.scenario.empty())
-    throw std::invalid_argument("a suite names its scenarios itself; omit SCENARIO");
-  if (!is_suite && named.scenario.empty())
-    throw std::invalid_argument("SCENARIO is missing, or a suite instead of VEHICLE");
-  if (is_suite) {
-    SuiteWork work = readSuiteWork(named.vehicle, choice, disk, settings).orThrow();
-    settings.requireRight();
-    return {std::move(work), true};
+void requireOnce(const char* option, const std::vector<std::string>& names) {
+  std::set<std::string> seen;
+  for (const std::string& each : names) {
+    if (!seen.insert(each).second) throw std::invalid_argument(fmt::format("{} {} is given twice", option, each));
   }
-  Model model = vehicle::readModel(named.vehicle, named.scenario, disk, settings);
-  std::vector<ValidationCase> cases;
-  for (const double speed : choice.speeds) cases.push_back({0, 0, speed});
-  if (cases.empty()) cases.push_back({0, 0, std::nullopt});
-  return {{{}, {std::move(model.vehicle.vehicle)}, {std::move(model.scenario)}, std::move(cases), choice}, false};
 }
 
-std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOptions& common) {
-  const auto shown = common.quiet ? ProgressBar::Shown::kNever : ProgressBar::Shown::kOnTerminal;
-  const double count = static_cast<double>(work.cases.size());
-  ProgressBar bar(shown, count, "cases");
-  std::vector<ValidationReport> reports;
-  for (const ValidationCase& each : work.cases) {
-    ValidationChoice choice = work.choice;
-    choice.run.speed = each.speed;
-    const double before = static_cast<double>(reports.size());
-    reports.push_back(
-        validate(modelOf(work, each), work.scenarios[each.scenario], choice,
-                 [&](double share, const std::string& what) { return bar.update((before + share) / count, what); }));
-    if (reports.back().stopped) break;
-  }
-  return reports;
+bool isAnyGiven(const CLI::App& command, const std::vector<std::string>& options) {
+  return std::any_of(options.begin(), options.end(),
+                     [&](const std::string& option) { return command.count(option) > 0; });
 }
 
-/// What runs of all cases warned of; of a vehicle itself once, of its motion with the case.
-Warnings warningsOf(const std::vector<ValidationReport>& reports, bool has_several) {
-  Warnings all;
-  std::set<std::string> said;
-  for (const ValidationReport& report : reports) {
-    for (Warning each : report.warnings) {
-      if (has_several && each.time) {
-        each.subject = fmt::format("{} on {} at {:.4g} km/h: {}", report.vehicle, report.scenario, 3.6 * report.speed,
-                                   each.subject);
-      }
-      if (said.insert(each.text()).second) all.push_back(std::move(each));
-    }
-  }
-  return all;
+void requireSharedRunsFor(const CLI::App& command, const ValidationWork& work, bool shares) {
+  const bool serial = command.count("--serial") > 0;
+  const std::string none = "none of these runs is shared among threads, as only some of the form flat are";
+  if (serial && !shares) refuseWithoutEffect("--serial", none, "omit it");
+  if (shares && !serial) return;
+  const std::string why = serial ? "--serial omits the runs that threads share" : none;
+  if (command.count("--time-limit") > 0) refuseWithoutEffect("--time-limit", why, "omit it");
+  // A suite may have cases of which nothing can be judged for other reasons.
+  if (command.count("--allow-unjudged") > 0 && !work.hasSeveral())
+    refuseWithoutEffect("--allow-unjudged", why, "omit it");
 }
 
-/// @param warnings  all; of them `found` is yet to be printed
-void printReports(const std::vector<ValidationReport>& reports, bool has_several, const Warnings& warnings,
-                  const Warnings& found, const Options& options) {
-  const bool all = options.details || options.common.format != Format::kTable;
-  Document document =
-      has_several ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
-  addSettings(Settings(options.files.settings).all(), document);
-  addWarnings(warnings, options.common, document);
-  // A case that was interrupted has nothing to show but that.
-  if (has_several || !reports.front().stopped) printToStdout(document, options.common.format);
-  std::cout.flush();
-  printWarnings(found);
-  for (const ValidationReport& report : reports) {
-    for (const std::string& complaint : complaintsOf(report)) std::cerr << "vehicle: " << complaint << '\n';
+/// Options of `validate` that would have no effect beside the others and the files given are refused: settings that no
+/// method reads, --speed on rigs, what is about shared runs where none is, --details where all is printed or nothing
+/// more is; and a form or method that is named twice.
+/// @throws std::invalid_argument  with the reason and what to do
+void requireOptionsUsed(const CLI::App& command, const ValidationWork& work, const Options& options) {
+  requireOnce("--form", options.choice.forms);
+  requireOnce("--method", options.choice.methods);
+  requireSpeedUsed(command, work.cases.scenarios);
+  if (command.count("--details") > 0 && work.hasSeveral()) {
+    refuseWithoutEffect("--details",
+                        work.is_suite ? "a suite prints one line for each case" : "several speeds print one line each",
+                        work.is_suite ? "omit it, or validate one vehicle and scenario" : "omit it, or give one speed");
   }
+  if (command.count("--details") > 0 && options.common.format != report::Format::kTable) {
+    refuseWithoutEffect("--details", "csv and json hold every detail always", "omit it");
+  }
+  // The plan asks for eigenvalues of every vehicle: only where something depends on it.
+  if (!isAnyGiven(command,
+                  {"--step", "--rtol", "--atol", "--accuracy", "--serial", "--time-limit", "--allow-unjudged"})) {
+    return;
+  }
+  const PlannedRuns planned = plannedRuns(work.cases);
+  std::string names;
+  for (const std::string& each : planned.methods) names += (names.empty() ? "" : ", ") + each;
+  requireSettingsUsed(command, {planned.methods.begin(), planned.methods.end()},
+                      "the methods that run here are " + names);
+  requireSharedRunsFor(command, work, planned.shares);
+}
+
+ExitStatus statusOf(Overall overall) {
+  constexpr ExitStatus kStatus[] = {kDone, kCheckDidNotHold, kRunFailed, kInterrupted};  // (overalls)
+  return kStatus[static_cast<std::size_t>(overall)];
+}
+
+report::Document documentOf(const std::vector<ValidationReport>& reports, bool has_several, const Options& options) {
+  if (has_several) return report::documentOf(reports);
+  const bool all = options.details || options.common.format != report::Format::kTable;
+  return report::documentOf(reports.front(), all ? report::Detail::kAll : report::Detail::kSummary);
 }
 
 int validateAll(const Options& options, const CLI::App& command) {
-  requireOneSpeed(command, Settings(options.files.settings).all());
-  const ValidationWork work = readWork(options.files, options.choice);
-  requireValidationOptionsUsed(command, work, options.choice, options.common);
-  printNotesOn(work.cases.scenarios, options.common);
+  FileSource disk;
+  const std::vector<Setting> settings = Settings(options.files.settings).all();
+  requireOneSpeed(command, settings);
+  const ValidationWork work = readValidationWork({options.files.vehicle, options.files.scenario, options.files.settings},
+                                                 options.choice, disk);
+  requireOptionsUsed(command, work, options);
+  printNotes(notesOn(work.cases.scenarios), options.common);
   Warnings warnings;
   if (work.is_suite) warnings = unjudgedOf(work.cases);
   printWarnings(warnings);
-  const std::vector<ValidationReport> reports = runCases(work.cases, options.common);
+  std::vector<ValidationReport> reports;
+  {
+    ProgressBar bar(options.common.progress(), static_cast<double>(work.cases.cases.size()), "cases");
+    reports = validateCases(work.cases, [&](double share, const std::string& what) { return bar.update(share, what); });
+  }
   const Warnings found = warningsOf(reports, work.hasSeveral());
   warnings.insert(warnings.end(), found.begin(), found.end());
-  printReports(reports, work.hasSeveral(), warnings, found, options);
-  const ExitStatus status = exitStatusOf(reports, options.allow_unjudged ? Unjudged::kAccept : Unjudged::kFail);
+  // A case that was interrupted has nothing to show but that.
+  if (work.hasSeveral() || !reports.front().stopped) {
+    printDocument(withSettings(documentOf(reports, work.hasSeveral(), options), settings), warnings, options.common);
+  }
+  printWarnings(found);
+  for (const ValidationReport& each : reports) {
+    for (const std::string& complaint : report::complaintsOf(each)) std::cerr << "vehicle: " << complaint << '\n';
+  }
+  const ExitStatus status = statusOf(overallOf(reports, options.allow_unjudged ? Unjudged::kAccept : Unjudged::kFail));
   if (reports.back().stopped) {
     std::cerr << fmt::format("vehicle: interrupted; {} of {} cases are finished\n", reports.size() - 1,
                              work.cases.cases.size());
     return status;
   }
   // Of a suite the warnings have said it.
-  if (const std::string why = whyNothing(reports.front()); !work.hasSeveral() && !why.empty()) {
+  if (const std::string why = report::whyNothing(reports.front()); !work.hasSeveral() && !why.empty()) {
     std::cerr << "vehicle: " << why << '\n';
   }
   const bool left_out = std::any_of(reports.begin(), reports.end(),

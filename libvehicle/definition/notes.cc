@@ -1,6 +1,7 @@
 #include "libvehicle/definition/notes.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "libvehicle/definition/judge.h"
@@ -52,6 +53,17 @@ std::vector<Note> notesOn(const Scenario& scenario) {
   }
   if (scenario.rig && !scenario.run.distance && scenario.run.speed > 0.0) {
     notes.push_back({scenario.run.origin, "speed is not used: the wheels of a rig do not roll"});
+  }
+  return notes;
+}
+
+std::vector<Note> notesOn(const std::vector<Scenario>& scenarios) {
+  std::vector<Note> notes;
+  std::set<std::string> lines;
+  for (const Scenario& scenario : scenarios) {
+    for (Note& each : notesOn(scenario)) {
+      if (lines.insert(each.line()).second) notes.push_back(std::move(each));
+    }
   }
   return notes;
 }

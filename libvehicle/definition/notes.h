@@ -21,6 +21,9 @@ struct Note {
 /// the speed of a rig, a fade_in without harmonics.
 [[nodiscard]] std::vector<Note> notesOn(const Scenario& scenario);
 
+/// Those on several scenarios, each line once.
+[[nodiscard]] std::vector<Note> notesOn(const std::vector<Scenario>& scenarios);
+
 /// A Hertz contact is linearised at the static load and cannot open.
 [[nodiscard]] std::vector<Note> notesOn(const Vehicle& vehicle);
 

@@ -1,5 +1,6 @@
 #include "libvehicle/project/check_file.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,15 @@ CheckedFile checkStudy(const std::string& path, FileSource& files, Settings& set
   return checked;
 }
 
+/// Several vehicles may show the same mistake of a scenario.
+void appendNew(const ProblemList& found, ProblemList& problems) {
+  for (const Problem& each : found) {
+    const bool is_known = std::any_of(problems.begin(), problems.end(),
+                                      [&](const Problem& other) { return other.text() == each.text(); });
+    if (!is_known) problems.add(each);
+  }
+}
+
 }  // namespace
 
 CheckedFile checkFile(const std::string& path, FileSource& files) {
@@ -111,6 +121,21 @@ ProblemList checkPair(const CheckedFile& vehicle, const CheckedFile& scenario) {
   if (!vehicle.vehicle || !scenario.scenario) return {};
   if (!vehicle.problems.empty() || !scenario.problems.empty()) return check(*scenario.scenario, *vehicle.vehicle);
   return checkTogether(*vehicle.vehicle, *scenario.scenario, scenario.scenario->run.speed);
+}
+
+std::vector<NamedCheck> checkFiles(const std::vector<std::string>& paths, FileSource& files, Settings& settings) {
+  std::vector<NamedCheck> all;
+  for (const std::string& path : paths) all.push_back({path, checkFile(path, files, settings)});
+  // A file that could not be read may be the one that has the name.
+  const bool is_read =
+      std::all_of(all.begin(), all.end(), [](const NamedCheck& each) { return each.found.problems.empty(); });
+  if (is_read) settings.requireRight();
+  for (NamedCheck& scenario : all) {
+    ProblemList found;
+    for (const NamedCheck& vehicle : all) appendNew(checkPair(vehicle.found, scenario.found), found);
+    scenario.found.problems.append(found);
+  }
+  return all;
 }
 
 }  // namespace vehicle

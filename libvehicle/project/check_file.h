@@ -34,4 +34,14 @@ struct CheckedFile {
 /// of others the names that the vehicle does not have.
 [[nodiscard]] ProblemList checkPair(const CheckedFile& vehicle, const CheckedFile& scenario);
 
+/// A file by the name that it was given.
+struct NamedCheck {
+  std::string file;
+  CheckedFile found;
+};
+/// checkFile() of each, and every scenario beside every vehicle: what is wrong with it there follows its own problems,
+/// each once.
+[[nodiscard]] std::vector<NamedCheck> checkFiles(const std::vector<std::string>& paths, FileSource& files,
+                                                Settings& settings);
+
 }  // namespace vehicle

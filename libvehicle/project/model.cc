@@ -34,4 +34,8 @@ Model readModel(const std::string& vehicle_file, const std::string& scenario_fil
   return model;
 }
 
+void protectInputs(OutputGuard& guard, const Model& model) {
+  for (const InputFile& each : model.inputs) guard.protect(each.name, "the input file");
+}
+
 }  // namespace vehicle

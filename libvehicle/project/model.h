@@ -6,6 +6,7 @@
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/model/compiled_model.h"
 #include "libvehicle/project/settings.h"
+#include "libvehicle/storage/output_guard.h"
 #include "libvehicle/storage/run_record.h"
 #include "libvehicle/xml/file_source.h"
 
@@ -25,5 +26,8 @@ struct Model {
 /// @throws std::invalid_argument  a setting is wrong
 [[nodiscard]] Model readModel(const std::string& vehicle_file, const std::string& scenario_file, FileSource& files,
                               Settings settings = {});
+
+/// Every file that the model was read from.
+void protectInputs(OutputGuard& guard, const Model& model);
 
 }  // namespace vehicle

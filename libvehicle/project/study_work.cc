@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "libvehicle/project/named_files.h"
-#include "libvehicle/study/runner.h"
 #include "libvehicle/study/search/search_study.h"
 #include "libvehicle/xml/named_file.h"
 #include "libvehicle/xml/reader.h"
@@ -170,6 +169,17 @@ ProblemList checkBeforeFirstDesign(const StudyWork& work, const std::string& fil
     problems.append(asSeenFromHere(wrong.problems(), file));
   }
   return problems;
+}
+
+StudyOutcome evaluate(const StudyWork& work, const StudyTarget& target, Executor& executor, const StudyWatch& watch) {
+  return work.inputs.study.search ? searchStudy(work.inputs, work.plan, target, executor, watch)
+                                  : runStudy(work.inputs, work.plan, target, executor, watch);
+}
+
+void protectInputs(OutputGuard& guard, const StudyWork& work, const std::string& study_file) {
+  guard.protect(study_file, "the study file");
+  const fs::path folder = fs::path(study_file).parent_path();
+  for (const InputFile& each : work.texts) guard.protect((folder / each.name).lexically_normal(), "the input file");
 }
 
 ProblemList asSeenFromHere(const ProblemList& problems, const std::string& study_file) {

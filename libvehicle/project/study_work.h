@@ -6,8 +6,10 @@
 
 #include "libvehicle/definition/train.h"
 #include "libvehicle/project/settings.h"
+#include "libvehicle/storage/output_guard.h"
 #include "libvehicle/storage/study_record.h"
 #include "libvehicle/study/plan/design_plan.h"
+#include "libvehicle/study/runner.h"
 #include "libvehicle/study/study_inputs.h"
 #include "libvehicle/xml/file_source.h"
 
@@ -37,6 +39,15 @@ struct StudyWork {
 /// the database holds, a base design that no path can evaluate.
 /// Cost: one design on the paths that evaluate several at once, else none.
 [[nodiscard]] ProblemList checkBeforeFirstDesign(const StudyWork& work, const std::string& file);
+
+/// Evaluates what the target's database misses, by the study's plan or its search. On a rank that does not lead: its
+/// part of that.
+/// @throws as runStudy() and searchStudy()
+StudyOutcome evaluate(const StudyWork& work, const StudyTarget& target, Executor& executor,
+                      const StudyWatch& watch = {});
+
+/// Every file that the study was read from.
+void protectInputs(OutputGuard& guard, const StudyWork& work, const std::string& study_file);
 
 /// Problems whose places are named as in StudyWork::texts, named from here.
 [[nodiscard]] ProblemList asSeenFromHere(const ProblemList& problems, const std::string& study_file);

@@ -43,6 +43,10 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// Writes a whole file so.
+/// @throws RunFailed; the old file then stands
+void writeAtomically(const std::filesystem::path& path, std::string_view text);
+
 /// Makes a new name in the folder of a file outlast a power cut. Some file systems refuse that: then nothing happens,
 /// the file itself is safe already.
 void flushFolderOf(const std::filesystem::path& file);

@@ -1,16 +1,15 @@
 #include "libvehicle/xml/file_source.h"
 
-#include <array>
 #include <cerrno>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "libvehicle/diagnostics/file_bytes.h"
 
 namespace vehicle {
 
@@ -41,24 +40,13 @@ Outcome<std::string> readFromDisk(const std::string& path) {
   if (!fs::is_regular_file(status)) {
     return refuse(path, "is no regular file", "copy what it gives into a file");
   }
-  // Files of /proc have a size of 0 and text all the same: the size alone does not end the reading.
   if (fs::file_size(path, error) > kMostBytes && !error) return tooLarge(path);
-  std::string text;
-  errno = 0;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (file != nullptr) {
-    std::array<char, 65536> block;
-    std::size_t got = 0;
-    while (text.size() <= kMostBytes && (got = std::fread(block.data(), 1, block.size(), file.get())) > 0) {
-      text.append(block.data(), got);
-    }
+  FileBytes read = readBytes(path, kMostBytes);
+  if (read.error == std::errc::file_too_large) return tooLarge(path);
+  if (read.error) {
+    return refuse(path, fmt::format("cannot be read: {}", read.error.message()), "check its permissions");
   }
-  const int reason = errno;
-  if (file == nullptr || std::ferror(file.get()) != 0) {
-    return refuse(path, fmt::format("cannot be read: {}", std::strerror(reason)), "check its permissions");
-  }
-  if (text.size() > kMostBytes) return tooLarge(path);
-  return {std::move(text), {}};
+  return {std::move(read.bytes), {}};
 }
 
 }  // namespace

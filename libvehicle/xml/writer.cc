@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "libvehicle/xml/attribute_value.h"
+#include "libvehicle/xml/escape.h"
 #include "libvehicle/xml/part_order.h"
 #include "libvehicle/xml/schema.h"
 
@@ -18,35 +19,6 @@ namespace vehicle {
 namespace {
 
 using Written = std::vector<std::pair<std::string, std::string>>;  // attribute, text
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      // As themselves these would come back as spaces.
-      case '\t':
-      case '\n':
-      case '\r':
-        out += fmt::format("&#{};", static_cast<int>(c));
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// Equal to the last bit: -0.0 is not 0.0.
 bool isSame(const Value& a, const Value& b) {
@@ -72,12 +44,12 @@ Written attributesOf(const ElementRow& row, const void* object) {
     const Value value = attribute.get(object);
     const bool given = !std::holds_alternative<std::monostate>(value);
     const bool told = attribute.required || !attribute.sets.empty() || !isSame(value, attribute.get(row.fresh()));
-    if (given && told) written.emplace_back(attribute.name, escaped(attributeText(attribute, value)));
+    if (given && told) written.emplace_back(attribute.name, xmlEscaped(attributeText(attribute, value)));
   }
   if (row.reserved != nullptr) {
     // Accessors take a mutable struct; nothing is changed through it here.
     for (const ReservedQuantity& each : *row.reserved(const_cast<void*>(object))) {
-      written.emplace_back(each.attribute, escaped(each.text));
+      written.emplace_back(each.attribute, xmlEscaped(each.text));
     }
   }
   return written;
@@ -93,7 +65,7 @@ class Writer {
       if (child.text == nullptr) continue;
       const std::string& text = *child.text(const_cast<void*>(object));
       if (text.empty()) continue;
-      text_ += fmt::format("  <{0}>{1}</{0}>\n", child.name, escaped(text));
+      text_ += fmt::format("  <{0}>{1}</{0}>\n", child.name, xmlEscaped(text));
       titled = true;
     }
     writeParts(orderOfWriting(row, object), 1, titled ? Gap::kBefore : Gap::kNone);

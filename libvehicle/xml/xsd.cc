@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "libvehicle/xml/escape.h"
 #include "libvehicle/xml/message_text.h"
 #include "libvehicle/xml/schema.h"
 
@@ -11,26 +12,8 @@ namespace vehicle {
 
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 std::string documentation(std::string_view sentence) {
-  return fmt::format("<xs:annotation><xs:documentation>{}</xs:documentation></xs:annotation>", escaped(sentence));
+  return fmt::format("<xs:annotation><xs:documentation>{}</xs:documentation></xs:annotation>", xmlEscaped(sentence));
 }
 
 constexpr std::string_view kUnsigned = R"(([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+\-]?[0-9]+)?)";
@@ -86,7 +69,7 @@ class XsdWriter {
       out += fmt::format(
           "  <xs:simpleType name=\"{}\">{}<xs:restriction base=\"xs:string\"><xs:pattern "
           "value=\"{}\"/></xs:restriction></xs:simpleType>\n",
-          typeNameOf(dimension, sign), documentation(note), escaped(patternOf(dimension, sign)));
+          typeNameOf(dimension, sign), documentation(note), xmlEscaped(patternOf(dimension, sign)));
     }
     return out + "\n";
   }

@@ -38,7 +38,7 @@ constexpr Header kHeaders[] = {
 };
 constexpr std::string_view kSystemHeaders[] = {"fcntl.h",  "poll.h",   "pthread.h", "sched.h",
                                                "signal.h", "stdlib.h", "termios.h", "unistd.h"};
-constexpr std::string_view kOnlyForApps[] = {"CLI11::CLI11", "nlohmann_json::nlohmann_json"};
+constexpr std::string_view kOnlyForApps = "CLI11::CLI11";
 // Simbody's headers are C++17 and change with NDEBUG: one source file is compiled for them.
 constexpr std::string_view kSimbodyFile = "libvehicle/mbs/simbody_model.cc";
 // SIMD types are for kernels, which are compiled apart for each instruction set.
@@ -134,7 +134,7 @@ std::optional<std::string> judgeLibrary(const House& house, const std::string& f
   }
   const std::string room = roomOf(file);
   if (room.empty()) return std::nullopt;
-  if (std::ranges::find(kOnlyForApps, library) != std::end(kOnlyForApps)) {
+  if (library == kOnlyForApps) {
     return "<" + header + "> belongs in apps/ alone";
   }
   if (!house.sees(room, library)) return "room " + room + " does not declare " + library + " (<" + header + ">)";

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "libvehicle/diagnostics/warning_collector.h"
+
 namespace vehicle {
 namespace {
 
@@ -21,6 +23,35 @@ TEST(Warning, TextIsOneLineWithPlaceSubjectRemedyAndCode) {
   warning.remedy = "run slower";
   EXPECT_EQ(warning.text(),
             "wagon.xml:7: warning: axle.load: -129 kN at t = 0.53 s; a rail only pushes; run slower [WHEEL_LOAD]");
+}
+
+TEST(WarningCollector, KeepsWhatIsSaidOfTheVehicleOnceAndOfAMotionWithItsRun) {
+  Warning vehicle;
+  vehicle.code = WarningCode::kSamePlace;
+  vehicle.subject = "axle_1";
+  Warning motion;
+  motion.code = WarningCode::kWheelLoad;
+  motion.subject = "axle_1.load";
+  motion.time = 0.5;
+  WarningCollector collector;
+  collector.add({vehicle, motion}, "at 80 km/h");
+  collector.add({vehicle, motion}, "at 90 km/h");
+  const Warnings all = collector.take();
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].subject, "axle_1");
+  EXPECT_EQ(all[1].subject, "at 80 km/h: axle_1.load");
+  EXPECT_EQ(all[2].subject, "at 90 km/h: axle_1.load");
+}
+
+TEST(WarningCollector, OfOneRunLeavesItsWarningsAsTheyAre) {
+  Warning motion;
+  motion.subject = "axle_1.load";
+  motion.time = 0.5;
+  WarningCollector collector;
+  collector.add({motion, motion});
+  const Warnings all = collector.take();
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].text(), motion.text());
 }
 
 TEST(WarningSet, IsWrittenInTheOrderOfTheCodesAndReadBack) {

@@ -105,8 +105,8 @@ TEST(Settings, MayGiveWhatTheFileLeavesOutAndWhatOnlyTogetherIsRight) {
   const test::ProjectFolder folder;
   const Model model = modelOf(folder, "v.xml", "s.xml",
                               {"axle.contact_stiffness=1 GN/m", "axle.mass=1.8 t", "axle.contact_damping=0 N*s/m"});
-  EXPECT_EQ(model.vehicle.wheelsets[0].mass, 1800.0);
-  EXPECT_TRUE(hasOwnMotion(model.vehicle.wheelsets[0]));
+  EXPECT_EQ(model.vehicle.vehicle.wheelsets[0].mass, 1800.0);
+  EXPECT_TRUE(hasOwnMotion(model.vehicle.vehicle.wheelsets[0]));
 }
 
 /// What is wrong with settings of v.xml and s.xml.

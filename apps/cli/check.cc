@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <CLI/App.hpp>
+
 #include "apps/cli/commands.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/options.h"

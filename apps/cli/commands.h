@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include <CLI/CLI.hpp>
+#include "apps/cli/cli11.h"
 
 namespace vehicle::cli {
 

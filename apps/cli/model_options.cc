@@ -1,5 +1,7 @@
 #include "apps/cli/model_options.h"
 
+#include <CLI/App.hpp>
+
 #include "apps/cli/options.h"
 
 namespace vehicle::cli {

@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/cli/cli11.h"
 #include "libvehicle/project/model.h"
 
 namespace vehicle::cli {

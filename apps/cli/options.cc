@@ -9,8 +9,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/exit_status.h"
+#include "apps/cli/help_layout.h"
 #include "apps/cli/stdout_page.h"
 #include "apps/cli/text_wrap.h"
 #include "libvehicle/diagnostics/problem.h"

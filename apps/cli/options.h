@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/cli/cli11.h"
 #include "apps/cli/document.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/units/quantity.h"
@@ -36,12 +35,6 @@ void addRunSettings(CLI::App& command, RunChoice& choice);
 
 /// One name of a list; a wrong one gets the nearest right one named.
 CLI::Validator oneOf(const std::vector<std::string>& names);
-
-/// Help in the layout of style.md: usage, sentence, arguments, options with unit and default, example, exit status.
-class HelpLayout : public CLI::FormatterBase {
- public:
-  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
-};
 
 /// Flags too: whoever gives an option twice means two things by it.
 /// @throws CLI::ParseError

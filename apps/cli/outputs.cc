@@ -4,6 +4,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 namespace vehicle::cli {
 

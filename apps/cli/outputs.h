@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/cli/cli11.h"
 #include "apps/cli/model_options.h"
 #include "libvehicle/storage/output_guard.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/chrome_trace.h"
 #include "apps/cli/commands.h"

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "libvehicle/partition/scheme.h"
 

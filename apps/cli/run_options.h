@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "apps/cli/cli11.h"
 #include "apps/cli/model_options.h"
 #include "libvehicle/simulate/simulate.h"
 

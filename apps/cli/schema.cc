@@ -1,6 +1,8 @@
 #include <iostream>
 #include <memory>
 
+#include <CLI/App.hpp>
+
 #include "apps/cli/commands.h"
 #include "apps/cli/exit_status.h"
 #include "libvehicle/xml/schema.h"

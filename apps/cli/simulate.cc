@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/exit_status.h"

@@ -1,5 +1,7 @@
 #include <memory>
 
+#include <CLI/App.hpp>
+
 #include "apps/cli/commands.h"
 #include "apps/cli/options.h"
 #include "apps/cli/outputs.h"

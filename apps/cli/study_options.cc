@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/outputs.h"
 #include "apps/cli/study_best.h"

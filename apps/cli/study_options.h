@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "apps/cli/cli11.h"
 #include "apps/cli/study_work.h"
 #include "libvehicle/project/study_work.h"
 

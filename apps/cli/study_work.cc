@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/exit_status.h"
 #include "apps/cli/progress.h"

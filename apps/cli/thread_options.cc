@@ -4,6 +4,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/remarks.h"
 #include "libvehicle/partition/scheme.h"

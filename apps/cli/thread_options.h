@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "apps/cli/cli11.h"
 #include "apps/cli/document.h"
 #include "apps/cli/options.h"
 #include "libvehicle/simulate/simulate.h"

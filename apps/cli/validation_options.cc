@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "apps/cli/run_options.h"
 #include "libvehicle/validation/plan.h"

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "apps/cli/cli11.h"
 #include "apps/cli/options.h"
 #include "libvehicle/project/suite_work.h"
 

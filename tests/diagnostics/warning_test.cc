@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/source_tree.h"
+
 namespace vehicle {
 namespace {
 
@@ -55,7 +57,7 @@ TEST(WarningKinds, AreAllListedOnThePageInTheirOrder) {
     rows.append("| `").append(kind.word).append("` | ").append(kind.sentence).append(" |\n");
   }
   std::ostringstream page;
-  page << std::ifstream(VEHICLE_SOURCE_DIR "/docs/warnings.md").rdbuf();
+  page << std::ifstream(test::sourcePath("docs/warnings.md")).rdbuf();
   EXPECT_NE(page.str().find("|---|---|\n" + rows), std::string::npos) << "docs/warnings.md should list:\n" << rows;
 }
 

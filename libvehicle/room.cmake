@@ -22,6 +22,7 @@ function(vehicle_room name)
                         PRIVATE ${room_PRIVATELY} $<BUILD_INTERFACE:vehicle_warnings>)
   set_property(GLOBAL APPEND PROPERTY vehicle_rooms ${target})
   add_subdirectory(${name})
+  vehicle_unity(${target})
 endfunction()
 
 # vehicle_files(HEADERS ... SOURCES ...): the files of the room whose folder calls it.

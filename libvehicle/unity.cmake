@@ -1,7 +1,8 @@
 # vehicle_unity(TARGET): where CMAKE_UNITY_BUILD is on, the files of a target are compiled several at a time, so that
 # headers and templates that they share are compiled once for all of them. Files whose own names would meet stand in
 # different groups: what one file calls `at` in its unnamed namespace, another may call so too. The names are read from
-# the sources when CMake runs: whatever an unnamed namespace defines at the beginning of a line.
+# the sources when CMake runs: whatever an unnamed namespace defines at the beginning of a line. A constant (kName) keeps
+# away from every file that has the word, which may mean another one of a header.
 set(VEHICLE_UNITY_FILES 8)  # in a group: with more of them two jobs end far apart
 
 # Names that a file defines in its unnamed namespace, in `out`.
@@ -31,6 +32,17 @@ function(vehicle_names_in file out)
   set(${out} "${names}" PARENT_SCOPE)
 endfunction()
 
+# Whether two lists have a word in common, in `out`.
+function(vehicle_have_common out list other)
+  foreach(word IN LISTS list)
+    if(word IN_LIST other)
+      set(${out} ON PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  set(${out} OFF PARENT_SCOPE)
+endfunction()
+
 function(vehicle_unity target)
   if(NOT CMAKE_UNITY_BUILD)
     return()
@@ -44,16 +56,15 @@ function(vehicle_unity target)
       continue()
     endif()
     vehicle_names_in(${file} names)
+    file(STRINGS ${file} lines REGEX "k[A-Z]")
+    string(REGEX MATCHALL "k[A-Z][A-Za-z_0-9]*" constants "${lines}")
     set(group 0)
     while(group LESS groups)
-      set(common ${names})
-      if(common)
-        set(others ${names_${group}})
-        list(REMOVE_ITEM common ${others} "")
+      vehicle_have_common(clash "${names}" "${names_${group}};${constants_${group}}")
+      if(NOT clash)
+        vehicle_have_common(clash "${constants}" "${names_${group}}")
       endif()
-      list(LENGTH names before)
-      list(LENGTH common after)
-      if(before EQUAL after AND size_${group} LESS VEHICLE_UNITY_FILES)
+      if(NOT clash AND size_${group} LESS VEHICLE_UNITY_FILES)
         break()
       endif()
       math(EXPR group "${group} + 1")
@@ -62,9 +73,11 @@ function(vehicle_unity target)
       math(EXPR groups "${groups} + 1")
       set(size_${group} 0)
       set(names_${group} "")
+      set(constants_${group} "")
     endif()
     math(EXPR size_${group} "${size_${group}} + 1")
     list(APPEND names_${group} ${names})
+    list(APPEND constants_${group} ${constants})
     set_source_files_properties(${file} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${target}_${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)

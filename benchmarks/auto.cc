@@ -24,11 +24,11 @@
 #include <fmt/core.h>
 
 #include "benchmarks/built_by.h"
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/definition/train.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/flat/flat_train.h"
 #include "libvehicle/integrate/rk4.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/partition/schemes/pipeline.h"
 #include "libvehicle/partition/team/placement.h"
 #include "libvehicle/simulate/flat_split_run.h"
@@ -119,7 +119,7 @@ struct Problem {
 
   Problem(int count, long wanted, int harmonics = 0)
       : vehicle(trainOf(count)),
-        system(buildFlatSystem(vehicle, 9.81)),
+        system(buildFlatSystem(compile(vehicle, 9.81))),
         input(inputOf(scenarioOf(static_cast<double>(std::max(8l, wanted / 64)) * kOutput, harmonics),
                       topologyOf(vehicle), 20.0)),
         schedule(input, kOutput),

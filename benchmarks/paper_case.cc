@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/integrate/run.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/xml/reader.h"
 
 namespace vehicle::bench {
@@ -34,7 +34,8 @@ const PaperCase& paperCase() {
     Input input = inputOf(scenario, topologyOf(vehicle), scenario.run.speed);
     Schedule every_step(input, 1e-3);
     Schedule whole(input, durationOf(scenario));
-    PaperCase made{buildFlatForm(vehicle, scenario.gravity), std::move(input), std::move(every_step), std::move(whole)};
+    PaperCase made{buildFlatForm(compile(vehicle, scenario.gravity)), std::move(input), std::move(every_step),
+                   std::move(whole)};
     const State rest{};
     runExact(*made.form, made.input, made.every_step, rest, [&](int, int, double, std::span<const double> x) {
       for (std::size_t i = 0; i < x.size(); ++i) made.peak[i] = std::max(made.peak[i], std::abs(x[i]));

@@ -17,6 +17,9 @@ class TrainSystem : public System {
   explicit TrainSystem(int vehicles);
 
   [[nodiscard]] int channels() const override { return set_.channels(); }
+  [[nodiscard]] StateLayout layout() const override {
+    return {.coordinates = static_cast<int>(set_.equations().size())};
+  }
   [[nodiscard]] const std::vector<Channel>& states() const override { return states_; }
   [[nodiscard]] const std::vector<Channel>& outputs() const override { return states_; }
   [[nodiscard]] const EquationSet* equations() const override { return &set_; }

@@ -10,6 +10,7 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/exit_status.h"
+#include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/remarks.h"
 #include "apps/cli/stdout_page.h"
@@ -53,10 +54,16 @@ void appendNew(const ProblemList& found, ProblemList& problems) {
   }
 }
 
-int checkFiles(const std::vector<std::string>& files, const CommonOptions& common) {
+int checkFiles(const std::vector<std::string>& files, const std::vector<std::string>& set,
+               const CommonOptions& common) {
   FileSource disk;
+  Settings settings(set);
   std::vector<Judged> all;
-  for (const std::string& file : namesOf(files, disk)) all.push_back({file, checkFile(file, disk)});
+  for (const std::string& file : namesOf(files, disk)) all.push_back({file, checkFile(file, disk, settings)});
+  // A file that could not be read may be the one that has the name.
+  const bool is_read =
+      std::all_of(all.begin(), all.end(), [](const Judged& each) { return each.found.problems.empty(); });
+  if (is_read) settings.requireRight();
   // Every scenario given is held against every vehicle given.
   for (Judged& scenario : all) {
     ProblemList found;
@@ -92,6 +99,7 @@ int checkFiles(const std::vector<std::string>& files, const CommonOptions& commo
 Action addCheck(CLI::App& program) {
   struct Options {
     std::vector<std::string> files;
+    std::vector<std::string> settings;
     CommonOptions common;
   };
   const auto options = std::make_shared<Options>();
@@ -103,12 +111,13 @@ Action addCheck(CLI::App& program) {
       ->type_name("FILE")
       ->required()
       ->expected(1, 1 << 20);
+  addSet(*command, options->settings, "; in every file that has the name");
   addCommonOptions(*command, options->common);
   command->footer(
       "Example: vehicle check models/vehicles/*.xml models/scenarios/*.xml\n"
       "Problems go to stdout, one a line: FILE:LINE: error: ELEMENT: what is wrong; what to write instead.\n"
       "Warnings and notes about files without problems go to stderr.");
-  return [options] { return checkFiles(options->files, options->common); };
+  return [options] { return checkFiles(options->files, options->settings, options->common); };
 }
 
 }  // namespace vehicle::cli

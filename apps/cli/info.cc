@@ -17,7 +17,6 @@
 #include "apps/cli/vehicle_tables.h"
 #include "libvehicle/definition/notes.h"
 #include "libvehicle/simulate/file_warnings.h"
-#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 namespace {
@@ -29,9 +28,10 @@ struct Options {
 };
 
 int printInfo(const Options& options) {
-  const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
-  const Topology topology = topologyOf(vehicle);
-  const Rest rest = restOf(topology, options.gravity);
+  const CompiledModel model = compileChecked(readVehicleOf(options.files), options.gravity);
+  const Vehicle& vehicle = model.vehicle;
+  const Topology& topology = model.topology;
+  const Rest& rest = model.rest;
 
   double bodies = 0.0, wheelsets = 0.0;
   for (const TopologyBody& body : topology.bodies) bodies += body.mass;
@@ -46,14 +46,15 @@ int printInfo(const Options& options) {
                                                {"unsprung mass", wheelsets, "kg"},
                                                {"heights given", topology.has_heights, ""},
                                                {"gravity", options.gravity, "m/s^2"}});
-  for (Fact& fact : loadFacts(vehicle, topology, rest, options.gravity)) document.facts.push_back(std::move(fact));
+  addSettings(Settings(options.files.settings).all(), document);
+  for (Fact& fact : loadFacts(model)) document.facts.push_back(std::move(fact));
   document.tables = {bodyTable(vehicle, topology, rest),
                      wheelsetTable(topology, rest),
                      suspensionTable(topology, rest),
-                     carbodyTable(vehicle, topology, options.gravity),
-                     formTable(vehicle),
-                     misfitTable(vehicle)};
-  if (const std::string form = defaultForm(vehicle); !document.tables.back().rows.empty()) {
+                     carbodyTable(model),
+                     formTable(topology),
+                     misfitTable(topology)};
+  if (const std::string form = defaultForm(topology); !document.tables.back().rows.empty()) {
     document.remarks.push_back("a form that does not fit is no mistake in the file: the form " + form +
                                " computes this vehicle");
   }
@@ -66,7 +67,7 @@ int printInfo(const Options& options) {
   if (!vehicle.units.empty()) {
     document.tables.insert(document.tables.begin(), unitTable(vehicle, topology, rest));
   }
-  const Warnings warnings = fileWarnings(vehicle, options.gravity);
+  const Warnings warnings = fileWarnings(model);
   addWarnings(warnings, options.common, document);
   printToStdout(document, options.common.format);
   std::cout.flush();
@@ -84,6 +85,7 @@ Action addInfo(CLI::App& program) {
       "describe a vehicle or train: masses, static loads, which sets of equations (forms) fit and why others do not");
   addVehicleFile(*command, options->files);
   addGravity(*command, options->gravity);
+  addSet(*command, options->files.settings);
   addCommonOptions(*command, options->common);
   command->footer(
       "Rest positions and deflections count from unloaded springs; loads are static, compression positive.\n"

@@ -3,6 +3,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,7 +32,8 @@ int perform(const Action& action) {
     std::cerr << wrong.problems().text();
     return kInputIsWrong;
   } catch (const std::invalid_argument& wrong) {
-    std::cerr << "vehicle: " << wrong.what() << '\n';
+    std::istringstream lines(wrong.what());
+    for (std::string line; std::getline(lines, line);) std::cerr << "vehicle: " << line << '\n';
     return kCommandLineIsWrong;
   } catch (const std::exception& failure) {
     std::cerr << "vehicle: " << failure.what() << '\n';

@@ -1,8 +1,12 @@
 #include "apps/cli/model_options.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include <CLI/App.hpp>
 
 #include "apps/cli/options.h"
+#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 
@@ -23,9 +27,40 @@ void addGravity(CLI::App& command, double& gravity) {
               [&gravity](double value) { gravity = value; });
 }
 
+void addSet(CLI::App& command, std::vector<std::string>& settings, const std::string& remark) {
+  command
+      .add_option("--set", settings,
+                  "a number in place of the file's, e.g. \"secondary.stiffness_z=600 kN/m\"; names as in studies: "
+                  "carbody.mass, front.x, of a train coach_2.carbody.mass, of a scenario scenario.gravity or "
+                  "scenario.NAME.amplitude; may be given several times" +
+                      remark + "   (default: none)")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void requireOneSpeed(const CLI::App& command, const std::vector<Setting>& settings) {
+  const bool is_set =
+      std::any_of(settings.begin(), settings.end(), [](const Setting& each) { return each.address == "speed"; });
+  if (!is_set || command.count("--speed") == 0) return;
+  throw std::invalid_argument("--speed and --set speed both give the running speed; give one of them");
+}
+
+void addSettings(const std::vector<Setting>& settings, Document& document) {
+  for (const Setting& each : settings) document.facts.push_back({"set " + each.address, each.value, ""});
+}
+
+Vehicle readVehicleOf(const ModelFiles& files) {
+  Vehicle vehicle = readVehicle(files.vehicle).orThrow();
+  Settings settings(files.settings);
+  settings.apply(vehicle);
+  settings.requireRight();
+  return vehicle;
+}
+
 Model readModel(const ModelFiles& files) {
   FileSource disk;
-  return vehicle::readModel(files.vehicle, files.scenario, disk);
+  return vehicle::readModel(files.vehicle, files.scenario, disk, Settings(files.settings));
 }
 
 }  // namespace vehicle::cli

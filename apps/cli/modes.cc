@@ -22,7 +22,6 @@
 #include "libvehicle/linear/undamped.h"
 #include "libvehicle/simulate/file_warnings.h"
 #include "libvehicle/simulate/simulate.h"
-#include "libvehicle/xml/reader.h"
 
 namespace vehicle::cli {
 namespace {
@@ -112,31 +111,32 @@ Table shapeMatrix(const std::vector<Mode>& modes, const std::vector<Channel>& st
 /// Gravity acts on a motion through static loads at heights and through contacts that stiffen under load; what the
 /// equations of this vehicle say of it is looked up in them.
 void requireGravityUsed(const CLI::App& command, const Options& options, const std::string& form,
-                        const Vehicle& vehicle, const System& system) {
+                        const CompiledModel& model, const System& system) {
   if (command.count("--gravity") == 0) return;
-  const std::unique_ptr<System> heavier = buildForm(form, vehicle, 2.0 * options.gravity);
+  const std::unique_ptr<System> heavier = buildForm(form, compileChecked(model.vehicle, 2.0 * options.gravity));
   if (system.linear()->A != heavier->linear()->A) return;
   throw std::invalid_argument(
       fmt::format("--gravity has no effect: the form {} of \"{}\" has no static load at a height and no Hertz contact, "
                   "so that its modes do not depend on gravity; omit it",
-                  form, vehicle.name));
+                  form, model.vehicle.name));
 }
 
 int printModes(const Options& options, const CLI::App& command) {
-  const Vehicle vehicle = readVehicle(options.files.vehicle).orThrow();
-  const std::string form = options.form.empty() ? defaultForm(vehicle) : options.form;
+  const CompiledModel model = compileChecked(readVehicleOf(options.files), options.gravity);
+  const std::string form = options.form.empty() ? defaultForm(model.topology) : options.form;
   if (!isLinearForm(form))
     throw std::invalid_argument(fmt::format("--form: modes need a linear form; {} is nonlinear", form));
-  const std::unique_ptr<System> system = buildForm(form, vehicle, options.gravity);
-  requireGravityUsed(command, options, form, vehicle, *system);
+  const std::unique_ptr<System> system = buildForm(form, model);
+  requireGravityUsed(command, options, form, model, *system);
   const std::vector<Mode> modes = modesOf(*system);
   const std::vector<UndampedMode> undamped = undampedModesOf(system->linear().value().A, system->states());
   const bool formatted = options.common.format == Format::kTable;
-  const Warnings warnings = fileWarnings(vehicle, options.gravity);
-  Document document{{{"vehicle", vehicle.name, ""}, {"form", form, ""}},
+  const Warnings warnings = fileWarnings(model);
+  Document document{{{"vehicle", model.vehicle.name, ""}, {"form", form, ""}},
                     {eigenvalueTable(modes, undamped),
                      formatted ? shapeMatrix(modes, system->states()) : shapeList(modes, system->states())},
                     {}};
+  addSettings(Settings(options.files.settings).all(), document);
   addWarnings(warnings, options.common, document);
   printToStdout(document, options.common.format);
   std::cout.flush();
@@ -158,6 +158,7 @@ Action addModes(CLI::App& program) {
       ->type_name("NAME")
       ->check(oneOf(formNames()));
   addGravity(*command, options->gravity);
+  addSet(*command, options->files.settings);
   addCommonOptions(*command, options->common);
   command->footer(
       "frequency is |lambda| / 2 pi, damped frequency |Im lambda| / 2 pi, undamped frequency that of masses and "

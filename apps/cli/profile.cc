@@ -73,6 +73,7 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
   requireOutputForOverwrite(command, {"--trace", "--timeline"});
   if (options.period) requireUsedByTheClock(command);
   const Model model = readModel(options.files);
+  requireOneSpeed(command, model.settings);
   OutputGuard guard(options.overwrite);
   protectModel(guard, model);
   if (command.count("--trace") > 0) guard.claim(options.trace, "--trace", OutputKind::kTrace);
@@ -94,12 +95,13 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
   Document document = documentOf(profile);
   const std::vector<Fact> names = namesOf(model, profile.run.form, profile.run.method, profile.run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
+  addSettings(model.settings, document);
   // The equations, not the motion, are what is profiled: of the run itself nothing is said.
-  const Warnings warnings = fileWarnings(model.vehicle, model.scenario.gravity);
+  const Warnings warnings = fileWarnings(model.vehicle);
   addWarnings(warnings, options.common, document);
   printToStdout(document, options.common.format);
   printWarnings(warnings);
-  const std::string title = titleOf(profile, model.vehicle.name);
+  const std::string title = titleOf(profile, model.vehicle.vehicle.name);
   store(options.trace, chromeTraceOf(profile.trace, title), options.common.quiet);
   store(options.timeline, timelineOf(profile.trace, title), options.common.quiet);
   return statusAfter(warnings, options.common);
@@ -131,6 +133,7 @@ Action addProfile(CLI::App& program) {
       ->check(oneOf(methodNames()));
   addQuantity(*command, "--speed", Dimension::kSpeed, "running speed   (default: from SCENARIO)",
               [options](double value) { options->choice.speed = value; });
+  addSet(*command, options->files.settings);
   addQuantity(*command, "--step", Dimension::kTime, "rk4: largest step   (default: \"1 ms\")",
               [options](double value) { options->choice.step = value; });
   addCount(*command, "--every", options->every, "traces every N-th step; 1 traces all   (default: 16)");

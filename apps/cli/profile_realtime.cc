@@ -54,7 +54,8 @@ int profileByTheClock(const Model& model, const RunChoice& choice, double period
   Document document = documentOf(run, period);
   const std::vector<Fact> names = namesOf(model, run.form, "rk4", run.speed);
   document.facts.insert(document.facts.begin(), names.begin(), names.end());
-  Warnings warnings = fileWarnings(model.vehicle, model.scenario.gravity);
+  addSettings(model.settings, document);
+  Warnings warnings = fileWarnings(model.vehicle);
   warnings.insert(warnings.end(), run.warnings.begin(), run.warnings.end());
   addWarnings(warnings, common, document);
   printToStdout(document, common.format);

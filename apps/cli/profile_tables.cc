@@ -113,7 +113,7 @@ Table pathTable(const Trace& trace) {
 }  // namespace
 
 std::vector<Fact> namesOf(const Model& model, const std::string& form, const std::string& method, double speed) {
-  return {{"vehicle", model.vehicle.name, ""},
+  return {{"vehicle", model.vehicle.vehicle.name, ""},
           {"scenario", model.scenario.name, ""},
           {"form", form, ""},
           {"method", method, ""},

@@ -10,12 +10,13 @@ RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult&
   RunRecord record;
   record.history = result.history;
   record.attributes = {{"version", VEHICLE_VERSION},
-                       {"vehicle", model.vehicle.name},
+                       {"vehicle", model.vehicle.vehicle.name},
                        {"scenario", model.scenario.name},
                        {"form", result.form},
                        {"method", result.method},
                        {"speed", fmt::format("{} m/s", result.speed)},
                        {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
+  for (const Setting& each : model.settings) record.attributes.emplace_back("set " + each.address, each.value);
   if (result.method == "rk4" || result.method == "rk4_split") {
     record.attributes.emplace_back("step", fmt::format("{} s", result.step));
   }

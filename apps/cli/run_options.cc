@@ -86,8 +86,8 @@ void requireThreadsFor(const CLI::App& command, const std::vector<std::string>& 
 void requireRunOptionsUsed(const CLI::App& command, const RunChoice& choice, const Model& model) {
   requireSharingUsed(command, choice);
   requireSpeedUsed(command, {model.scenario});
-  const std::string form = choice.form.empty() ? defaultForm(model.vehicle) : choice.form;
-  const std::string method = choice.method.empty() ? defaultMethod(form, model.vehicle) : choice.method;
+  const std::string form = choice.form.empty() ? defaultForm(model.vehicle.topology) : choice.form;
+  const std::string method = choice.method.empty() ? defaultMethod(form, model.vehicle.topology) : choice.method;
   // A method that cannot run the form is what is to be said first; the run says it.
   if (!methodMisfit(method, form).empty()) return;
   requireSettingsUsed(command, {method},

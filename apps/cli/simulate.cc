@@ -35,11 +35,12 @@ int simulateOnce(const SimulateOptions& options, const Model& model) {
   }
 
   Document document;
-  document.facts = {{"vehicle", model.vehicle.name, ""},
+  document.facts = {{"vehicle", model.vehicle.vehicle.name, ""},
                     {"scenario", model.scenario.name, ""},
                     {"form", result.form, ""},
                     {"method", result.method, ""},
                     {"speed", result.speed, "m/s"}};
+  addSettings(model.settings, document);
   for (Fact& fact : sharingFacts(result)) document.facts.push_back(std::move(fact));
   document.facts.insert(document.facts.end(), {{"end of run", result.reached, "s"},
                                                {"samples", result.outputs, ""},
@@ -69,6 +70,7 @@ int simulateOnce(const SimulateOptions& options, const Model& model) {
 int simulateAndStore(SimulateOptions options, const CLI::App& command) {
   requireOutputForOverwrite(command, {"--output"});
   const Model model = readModel(options.files);
+  requireOneSpeed(command, model.settings);
   const bool is_one = options.speeds.size() < 2;
   if (options.speeds.size() == 1) options.choice.speed = options.speeds.front();
   OutputGuard guard(options.overwrite);
@@ -114,6 +116,7 @@ Action addSimulate(CLI::App& program) {
       "running speed, e.g. \"20 m/s\"; all of a list \"60 km/h, 80 km/h\" or of a range\n\"80:10:160 km/h\", with one "
       "table, and --output run.h5 becoming run-80kmh.h5, ...\n(default: from SCENARIO)",
       options->speeds);
+  addSet(*command, options->files.settings);
   addRunSettings(*command, options->choice);
   addSharing(*command, options->choice, "1");
   command

@@ -124,11 +124,12 @@ int simulateSpeeds(const SimulateOptions& options, const Model& model) {
   for (const SpeedRun& each : runs) summaries.push_back({each.result.speed, each.result.summaries});
 
   Document document;
-  document.facts = {{"vehicle", model.vehicle.name, ""},
+  document.facts = {{"vehicle", model.vehicle.vehicle.name, ""},
                     {"scenario", model.scenario.name, ""},
                     {"form", first.form, ""},
                     {"method", first.method, ""},
                     {"speeds", static_cast<long>(runs.size()), ""}};
+  addSettings(model.settings, document);
   document.tables = {runTable(runs),
                      speedTable(runs.front().columns, summaries, options.common.format)};
   const Warnings warnings = warningsOf(runs);

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/study_options.h"
@@ -27,6 +28,7 @@ Action addStudy(CLI::App& program) {
       ->type_name("FILE");
   command->add_flag("--resume", options->resume,
                     "continue the study in --output, if that exists   (default: it is not touched)");
+  addSet(*command, options->settings, "; of the vehicle and all scenarios, before the study changes anything");
   addCount(*command, "--jobs", options->jobs, "threads   (default: every processor this program may use)", 1024);
   addCount(*command, "--best", options->best, "designs shown of each objective   (default: 5)", 1000);
   command

@@ -68,7 +68,7 @@ class BestWriter {
     std::vector<Scenario> scenarios = inputs.scenarios;
     apply(inputs.bound, design.parameters, vehicle, scenarios);
     if (!work_.train) return addFile(named(std::move(vehicle), design, name), name + ".xml");
-    const Train train = trainOf(*work_.train, inputs.vehicle, vehicle, name);
+    const Train train = trainOf(*work_.train, assembled(*work_.train), vehicle, name);
     for (const TrainVehicle& each : train.vehicles) addFile(each.vehicle, each.file);
     addFile(named(train, design, name), name + ".xml");
   }

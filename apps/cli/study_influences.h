@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/cli/document.h"
-#include "libvehicle/definition/bound_study.h"
+#include "libvehicle/model/bound_study.h"
 #include "libvehicle/study/summary.h"
 
 namespace vehicle::cli {

@@ -19,7 +19,7 @@ bool isShown(const StudyOptions& options) { return options.study == "show"; }
 
 void requireForShow(const CLI::App& command, const StudyOptions& options) {
   if (options.shown.empty()) refuse("study show: DATABASE is missing");
-  for (const char* option : {"--output", "--resume", "--jobs"}) {
+  for (const char* option : {"--output", "--resume", "--set", "--jobs"}) {
     if (command.count(option) > 0) {
       refuse(fmt::format("{} has no effect: study show evaluates nothing; omit it", option));
     }
@@ -61,7 +61,10 @@ void claimOutputs(OutputGuard& guard, const CLI::App& command, const StudyOption
   } else {
     guard.protect(options.study, "the study file");
     const std::filesystem::path folder = std::filesystem::path(options.study).parent_path();
-    for (const InputFile& each : work.texts) guard.protect((folder / each.name).lexically_normal(), "the input file");
+    for (const InputFile& each : work.texts) {
+      if (each.name == kSettingsName) continue;  // no file
+      guard.protect((folder / each.name).lexically_normal(), "the input file");
+    }
     if (options.resume) {
       guard.resumeDatabase(options.database, "--output");
     } else {

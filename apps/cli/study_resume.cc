@@ -38,7 +38,9 @@ void requireOwnDatabase(const std::string& database, const std::string& study, c
   now.program = kProgram;
   const std::filesystem::path folder = std::filesystem::path(study).parent_path();
   for (StudyRecord* each : {&before, &now}) {
-    for (InputFile& file : each->inputs) file.name = (folder / file.name).lexically_normal().string();
+    for (InputFile& file : each->inputs) {
+      if (file.name != kSettingsName) file.name = (folder / file.name).lexically_normal().string();
+    }
   }
   problems = changesOf(before, now, database);
   if (!problems.empty()) throw InvalidInput(std::move(problems));

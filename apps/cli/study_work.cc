@@ -3,12 +3,14 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 
 #include "apps/cli/exit_status.h"
+#include "apps/cli/model_options.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/remarks.h"
 #include "apps/cli/stdout_page.h"
@@ -38,13 +40,17 @@ std::unique_ptr<Executor> executorOf(const StudyOptions& options) {
 int help(const StudyOptions& options, Executor& executor) {
   try {
     FileSource disk;
-    const StudyWork work = readStudyWork(options.study, disk).orThrow();
+    Settings settings(options.settings);
+    const StudyWork work = readStudyWork(options.study, disk, settings).orThrow();
+    settings.requireRight();
     const StudyTarget nowhere;
     static_cast<void>(work.inputs.study.search ? searchStudy(work.inputs, work.plan, nowhere, executor)
                                                : runStudy(work.inputs, work.plan, nowhere, executor));
     return kDone;
   } catch (const InvalidInput&) {
     return kInputIsWrong;
+  } catch (const std::invalid_argument&) {
+    return kCommandLineIsWrong;
   }
 }
 
@@ -59,7 +65,9 @@ std::string quoted(const std::string& word) {
 }
 
 std::string goOnWith(const StudyOptions& options) {
-  return fmt::format("Go on with:\n  vehicle study {} --output {} --resume", quoted(options.study),
+  std::string settings;
+  for (const std::string& each : options.settings) settings += " --set " + quoted(each);
+  return fmt::format("Go on with:\n  vehicle study {}{} --output {} --resume", quoted(options.study), settings,
                      quoted(options.database));
 }
 
@@ -141,6 +149,7 @@ Document headOf(const StudyWork& work, const std::string& database) {
   document.facts = {{"study", work.inputs.study.name, ""},
                     {"vehicle", work.inputs.vehicle.name, ""},
                     {"database", database, ""}};
+  addSettings(work.settings, document);
   return document;
 }
 
@@ -150,7 +159,9 @@ int runStudyFile(const StudyOptions& options, const CLI::App& command) {
   const std::unique_ptr<Executor> executor = executorOf(options);
   if (!executor->leads()) return help(options, *executor);
   FileSource disk;
-  const StudyWork work = readStudyWork(options.study, disk).orThrow();
+  Settings settings(options.settings);
+  const StudyWork work = readStudyWork(options.study, disk, settings).orThrow();
+  settings.requireRight();
   if (ProblemList problems = checkBeforeFirstDesign(work, options.study); !problems.empty()) {
     throw InvalidInput(std::move(problems));
   }

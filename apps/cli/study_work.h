@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/cli/options.h"
 #include "libvehicle/storage/output_guard.h"
@@ -11,6 +12,7 @@ struct StudyOptions {
   std::string study;     // file, or "show"
   std::string shown;     // database after "show"
   std::string database;  // --output
+  std::vector<std::string> settings;  // --set
   bool resume = false;
   Overwrite overwrite = Overwrite::kOwnFiles;
   int jobs = 0;  // 0: every processing unit

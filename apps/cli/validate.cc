@@ -38,17 +38,22 @@ struct Options {
 /// VEHICLE and SCENARIO, or a suite alone and all files that it names.
 ValidationWork readWork(const ModelFiles& named, const ValidationChoice& choice) {
   FileSource disk;
+  Settings settings(named.settings);
   const bool is_suite = kindOf(named.vehicle, disk).orThrow() == FileKind::kSuite;
   if (is_suite && !named.scenario.empty())
     throw std::invalid_argument("a suite names its scenarios itself; omit SCENARIO");
   if (!is_suite && named.scenario.empty())
     throw std::invalid_argument("SCENARIO is missing, or a suite instead of VEHICLE");
-  if (is_suite) return {readSuiteWork(named.vehicle, choice, disk).orThrow(), true};
-  Model model = vehicle::readModel(named.vehicle, named.scenario, disk);
+  if (is_suite) {
+    SuiteWork work = readSuiteWork(named.vehicle, choice, disk, settings).orThrow();
+    settings.requireRight();
+    return {std::move(work), true};
+  }
+  Model model = vehicle::readModel(named.vehicle, named.scenario, disk, settings);
   std::vector<ValidationCase> cases;
   for (const double speed : choice.speeds) cases.push_back({0, 0, speed});
   if (cases.empty()) cases.push_back({0, 0, std::nullopt});
-  return {{{}, {std::move(model.vehicle)}, {std::move(model.scenario)}, std::move(cases), choice}, false};
+  return {{{}, {std::move(model.vehicle.vehicle)}, {std::move(model.scenario)}, std::move(cases), choice}, false};
 }
 
 std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOptions& common) {
@@ -61,7 +66,7 @@ std::vector<ValidationReport> runCases(const SuiteWork& work, const CommonOption
     choice.run.speed = each.speed;
     const double before = static_cast<double>(reports.size());
     reports.push_back(
-        validate(work.vehicles[each.vehicle], work.scenarios[each.scenario], choice,
+        validate(modelOf(work, each), work.scenarios[each.scenario], choice,
                  [&](double share, const std::string& what) { return bar.update((before + share) / count, what); }));
     if (reports.back().stopped) break;
   }
@@ -90,6 +95,7 @@ void printReports(const std::vector<ValidationReport>& reports, bool has_several
   const bool all = options.details || options.common.format != Format::kTable;
   Document document =
       has_several ? documentOf(reports) : documentOf(reports.front(), all ? Detail::kAll : Detail::kSummary);
+  addSettings(Settings(options.files.settings).all(), document);
   addWarnings(warnings, options.common, document);
   // A case that was interrupted has nothing to show but that.
   if (has_several || !reports.front().stopped) printToStdout(document, options.common.format);
@@ -101,6 +107,7 @@ void printReports(const std::vector<ValidationReport>& reports, bool has_several
 }
 
 int validateAll(const Options& options, const CLI::App& command) {
+  requireOneSpeed(command, Settings(options.files.settings).all());
   const ValidationWork work = readWork(options.files, options.choice);
   requireValidationOptionsUsed(command, work, options.choice, options.common);
   printNotesOn(work.cases.scenarios, options.common);
@@ -159,6 +166,7 @@ Action addValidate(CLI::App& program) {
       "running speed, e.g. \"20 m/s\"; all of a list \"60 km/h, 80 km/h\" or of a range\n\"80:10:160 km/h\", a case "
       "each   (default: from SCENARIO or SUITE)",
       options->choice.speeds);
+  addSet(*command, options->files.settings, "; of a suite in every vehicle and scenario that has the name");
   addRunSettings(*command, options->choice.run);
   command->add_flag_callback("--serial", [options] { options->choice.shared.clear(); },
                              "omit the runs that threads share   (default: those of the form flat run too)");

@@ -37,7 +37,7 @@ Planned plannedOf(const SuiteWork& work) {
   choice.shared = usualSharedColumns();
   Planned planned;
   for (const ValidationCase& each : work.cases) {
-    const ValidationPlan plan = validationPlanOf(work.vehicles[each.vehicle], work.scenarios[each.scenario], choice);
+    const ValidationPlan plan = validationPlanOf(modelOf(work, each), choice);
     for (const RunKey& run : plan.runs) {
       planned.methods.insert(run.method);
       planned.shares = planned.shares || !run.scheme.empty();

@@ -52,12 +52,14 @@ std::vector<double> loadDeviations(const Topology& topology, const Rest& rest) {
   return deviations;
 }
 
-std::vector<Fact> loadFacts(const Vehicle& vehicle, const Topology& topology, const Rest& rest, double gravity) {
+std::vector<Fact> loadFacts(const CompiledModel& model) {
+  const Topology& topology = model.topology;
+  const Rest& rest = model.rest;
   double mass = 0.0;
   for (const TopologyBody& body : topology.bodies) mass += body.mass;
   for (const TopologyWheelset& wheelset : topology.wheelsets) mass += wheelset.mass;
-  std::vector<Fact> facts = {{"total weight", mass * gravity, "N"}};
-  if (!vehicle.units.empty()) return facts;
+  std::vector<Fact> facts = {{"total weight", mass * model.gravity, "N"}};
+  if (topology.units > 0) return facts;
   const auto [last, first] =
       std::minmax_element(topology.wheelsets.begin(), topology.wheelsets.end(),
                           [](const TopologyWheelset& a, const TopologyWheelset& b) { return a.x < b.x; });
@@ -77,12 +79,13 @@ std::vector<Fact> loadFacts(const Vehicle& vehicle, const Topology& topology, co
   return facts;
 }
 
-Table carbodyTable(const Vehicle& vehicle, const Topology& topology, double gravity) {
+Table carbodyTable(const CompiledModel& model) {
+  const Topology& topology = model.topology;
   Table table{"carbody", {{"motion", ""}, {"frequency", "Hz"}, {"damping", "-"}}, {}};
-  const int top = vehicle.units.empty() ? carbodyOf(vehicle) : -1;
+  const int top = topology.units == 0 ? carbodyOf(model.vehicle) : -1;
   if (top < 0) return table;
   const TopologyBody& body = topology.bodies[static_cast<std::size_t>(top)];
-  const std::vector<Mode> modes = modesOf(*buildForm(defaultForm(vehicle), vehicle, gravity));
+  const std::vector<Mode> modes = modesOf(*buildForm(defaultForm(topology), model));
   const auto add = [&](const char* motion, int coordinate) {
     if (coordinate < 0) return;
     if (const Mode* mode = modeOf(modes, coordinate)) {

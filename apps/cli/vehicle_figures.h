@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "apps/cli/document.h"
-#include "libvehicle/definition/topology.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/compiled_model.h"
 
 namespace vehicle::cli {
 
@@ -15,11 +14,10 @@ namespace vehicle::cli {
 [[nodiscard]] std::vector<double> loadDeviations(const Topology& topology, const Rest& rest);
 
 /// Total weight; and of a vehicle whose halves load the rail differently what each does.
-[[nodiscard]] std::vector<Fact> loadFacts(const Vehicle& vehicle, const Topology& topology, const Rest& rest,
-                                          double gravity);
+[[nodiscard]] std::vector<Fact> loadFacts(const CompiledModel& model);
 
 /// Undamped frequency and damping ratio of the modes in which the carbody takes most part: bounce and pitch. None for a
 /// train, and for a vehicle without one body on top.
-[[nodiscard]] Table carbodyTable(const Vehicle& vehicle, const Topology& topology, double gravity);
+[[nodiscard]] Table carbodyTable(const CompiledModel& model);
 
 }  // namespace vehicle::cli

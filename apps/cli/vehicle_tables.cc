@@ -125,17 +125,17 @@ Table suspensionTable(const Topology& topology, const Rest& rest) {
   return table;
 }
 
-Table formTable(const Vehicle& vehicle) {
+Table formTable(const Topology& topology) {
   Table table{"forms", {{"form", ""}, {"fits", ""}}, {}};
-  for (const std::string& form : formNames()) table.rows.push_back({form, formMisfits(form, vehicle).empty()});
+  for (const std::string& form : formNames()) table.rows.push_back({form, formMisfits(form, topology).empty()});
   return table;
 }
 
-Table misfitTable(const Vehicle& vehicle) {
+Table misfitTable(const Topology& topology) {
   Table table{
       "why a form does not fit", {{"line", ""}, {"element", ""}, {"why", ""}, {"remedy", ""}, {"forms", ""}}, {}};
   for (const std::string& form : formNames()) {
-    for (const Problem& misfit : formMisfits(form, vehicle)) {
+    for (const Problem& misfit : formMisfits(form, topology)) {
       const std::vector<Cell> reason = {static_cast<long>(misfit.place.line), misfit.element, misfit.message,
                                         misfit.remedy};
       const auto known = std::find_if(table.rows.begin(), table.rows.end(), [&](const std::vector<Cell>& row) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/cli/document.h"
-#include "libvehicle/definition/topology.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 
 namespace vehicle::cli {
 
@@ -18,9 +18,9 @@ namespace vehicle::cli {
 /// Ends, place, both sides' stiffness and damping, static load, how far that compresses it.
 [[nodiscard]] Table suspensionTable(const Topology& topology, const Rest& rest);
 /// Which forms fit.
-[[nodiscard]] Table formTable(const Vehicle& vehicle);
+[[nodiscard]] Table formTable(const Topology& topology);
 /// Why the others do not, one line a reason with the forms that give it.
-[[nodiscard]] Table misfitTable(const Vehicle& vehicle);
+[[nodiscard]] Table misfitTable(const Topology& topology);
 /// What the planar forms do not use: kept in the file for the vehicle in three dimensions.
 [[nodiscard]] Table unusedTable(const Vehicle& vehicle);
 /// The same in one line for people: "not used by the planar forms: y of 12 parts, roll_inertia of carbody".

@@ -67,6 +67,19 @@ bool Judge::notNegative(std::string_view attribute, double value, Dimension dime
   return value >= 0.0;
 }
 
+bool Judge::number(const AttributeRow& row, const void* part) {
+  const std::optional<double> value = row.numberIn(part);
+  switch (row.sign) {
+    case Sign::kPositive:
+      return positive(row.name, value, row.dimension);
+    case Sign::kNotNegative:
+      return notNegative(row.name, value, row.dimension);
+    case Sign::kAny:
+      break;
+  }
+  return finite(row.name, value, row.dimension);
+}
+
 bool Judge::finite(std::string_view attribute, std::optional<double> value, Dimension dimension) {
   return !value || finite(attribute, *value, dimension);
 }

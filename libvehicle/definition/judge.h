@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libvehicle/definition/attribute.h"
 #include "libvehicle/definition/origin.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/units/quantity.h"
@@ -43,6 +44,22 @@ class Judge {
   bool positive(std::string_view attribute, std::optional<double> value, Dimension dimension);
   bool notNegative(std::string_view attribute, std::optional<double> value, Dimension dimension);
 
+  /// A number of a part as its row of the table asks for: finite, > 0 or >= 0.
+  /// @returns as above
+  template <auto kMember>
+  bool number(const ObjectOf<kMember>& part) {
+    return number(rowOf<kMember>(), &part);
+  }
+  /// All numbers of a part in the order of the table but those of kElsewhere, which the caller judges itself
+  /// because their order or their range depends on more than the row.
+  template <auto... kElsewhere, class Part>
+  void numbers(const Part& part) {
+    for (const AttributeRow& row : attributesOf<Part>()) {
+      const bool is_elsewhere = ((row.member == &kIdOf<kElsewhere>) || ...);
+      if (row.kind == ValueKind::kQuantity && row.member != nullptr && !is_elsewhere) number(row, &part);
+    }
+  }
+
   /// A value as written [SI]; nothing, and told, if it is none of that dimension.
   /// @param item  the part of a list that is read; "": all of `text`
   std::optional<double> quantity(std::string_view attribute, const std::string& text, Dimension dimension,
@@ -59,6 +76,7 @@ class Judge {
   [[nodiscard]] std::string written(std::string_view attribute, int value) const;
 
  private:
+  bool number(const AttributeRow& row, const void* part);
   void sayOf(std::string_view attribute, std::string message, std::string remedy);
 
   ProblemList& problems_;

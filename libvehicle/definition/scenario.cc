@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "libvehicle/definition/judge.h"
+#include "libvehicle/definition/scenario_attributes.h"
 #include "libvehicle/definition/vehicle.h"
 
 namespace vehicle {
@@ -21,8 +22,7 @@ constexpr double kMostSamples = 1e7;
 void checkRun(const Scenario& scenario, ProblemList& problems) {
   const Run& run = scenario.run;
   Judge judge(problems, "<scenario><run>", "", run.origin);
-  const bool length_in_order =
-      judge.positive("duration", run.duration, kTime) && judge.positive("distance", run.distance, kLength);
+  const bool length_in_order = judge.number<&Run::duration>(run) && judge.number<&Run::distance>(run);
   if (!run.duration && !run.distance && judge.knows({"duration", "distance"})) {
     judge.say("has no duration and no distance", "give one of them, e.g. duration=\"10 s\"");
   } else if (run.duration && run.distance) {
@@ -30,9 +30,10 @@ void checkRun(const Scenario& scenario, ProblemList& problems) {
   }
   // Without a track the wheels do not roll, so the speed only matters where a distance is to be covered.
   const bool rolls = scenario.track || run.distance;
-  const bool speed_in_order =
-      rolls ? judge.positive("speed", run.speed, kSpeed) : judge.notNegative("speed", run.speed, kSpeed);
-  if (!judge.positive("output_step", run.output_step, kTime) || !length_in_order || !speed_in_order) return;
+  const bool speed_in_order = rolls ? judge.positive("speed", run.speed, kSpeed) : judge.number<&Run::speed>(run);
+  const bool step_in_order = judge.number<&Run::output_step>(run);
+  judge.numbers<&Run::duration, &Run::distance, &Run::speed, &Run::output_step>(run);
+  if (!step_in_order || !length_in_order || !speed_in_order) return;
   if (run.duration.has_value() == run.distance.has_value()) return;
 
   const double duration = durationOf(scenario);
@@ -67,8 +68,10 @@ class MemberNames {
   std::map<std::string, Origin> seen_;
 };
 
-void checkStart(const Track& track, double start, Judge& judge) {
-  if (!judge.finite("start", start, kLength) || !track.origin.knows("history")) return;
+template <class Member>
+void checkStart(const Track& track, const Member& member, Judge& judge) {
+  const double start = member.start;
+  if (!judge.number<&Member::start>(member) || !track.origin.knows("history")) return;
   if (track.history != History::kOnset || start >= 0.0) return;
   judge.say(judge.written("start", start, kLength) +
                 " lies before s = 0, where history=\"onset\" keeps the rail flat",
@@ -111,21 +114,20 @@ class TrackCheck {
 
   void run() {
     Judge whole(problems_, "<scenario><track>", "", track_.origin);
-    whole.positive("fade_in", track_.fade_in, kLength);
+    whole.numbers(track_);
     if (track_.fade_in && track_.history != History::kOnset && whole.knows({"history"})) {
       whole.say("has fade_in with history=\"extended\"", "leave fade_in out, or take history=\"onset\"");
     }
     bool in_order = true;
     for (const Harmonic& harmonic : track_.harmonics) {
       Judge judge = judgeOf("harmonic", harmonic);
-      judge.positive("wavelength", harmonic.wavelength, kLength);
-      judge.positive("order", harmonic.order, kNumber);
-      in_order = judge.finite("amplitude", harmonic.amplitude, kLength) && in_order;
-      in_order = judge.finite("phase", harmonic.phase, kAngle) && judge.knows({"rail"}) && in_order;
+      judge.numbers<&Harmonic::amplitude, &Harmonic::phase>(harmonic);
+      in_order = judge.number<&Harmonic::amplitude>(harmonic) && in_order;
+      in_order = judge.number<&Harmonic::phase>(harmonic) && judge.knows({"rail"}) && in_order;
     }
-    for (const Dip& dip : track_.dips) checkFeature("dip", dip, "depth", dip.depth);
-    for (const Bump& bump : track_.bumps) checkFeature("bump", bump, "height", bump.height);
-    for (const Ramp& ramp : track_.ramps) checkFeature("ramp", ramp, "rise", ramp.rise);
+    for (const Dip& dip : track_.dips) checkFeature("dip", dip);
+    for (const Bump& bump : track_.bumps) checkFeature("bump", bump);
+    for (const Ramp& ramp : track_.ramps) checkFeature("ramp", ramp);
     if (in_order) checkOnset(track_, problems_);
   }
 
@@ -138,11 +140,10 @@ class TrackCheck {
   }
 
   template <class Member>
-  void checkFeature(std::string_view element, const Member& member, std::string_view height_name, double height) {
+  void checkFeature(std::string_view element, const Member& member) {
     Judge judge = judgeOf(element, member);
-    judge.finite(height_name, height, kLength);
-    judge.positive("length", member.length, kLength);
-    checkStart(track_, member.start, judge);
+    judge.template numbers<&Member::start>(member);
+    checkStart(track_, member, judge);
   }
 
   const Track& track_;
@@ -154,15 +155,13 @@ void checkSine(const RigSine& sine, MemberNames& names, ProblemList& problems) {
   constexpr std::string_view kPath = "<scenario><rig><input><sine>";
   names.add(kPath, sine.name, sine.origin);
   Judge judge(problems, kPath, sine.name, sine.origin);
-  judge.finite("amplitude", sine.amplitude, kLength);
-  judge.positive("angular_frequency", sine.angular_frequency, kAngularVelocity);
-  judge.positive("frequency", sine.frequency, kFrequency);
+  judge.numbers<&RigSine::phase>(sine);
   if (!sine.angular_frequency && !sine.frequency && judge.knows({"angular_frequency", "frequency"})) {
     judge.say("has no frequency", "give it, e.g. frequency=\"0.8 Hz\" or angular_frequency=\"5 rad/s\"");
   } else if (sine.angular_frequency && sine.frequency) {
     judge.say("has angular_frequency and frequency", "give one of them");
   }
-  judge.finite("phase", sine.phase, kAngle);
+  judge.number<&RigSine::phase>(sine);
 }
 
 void checkRig(const Rig& rig, bool strange, ProblemList& problems) {
@@ -207,10 +206,7 @@ void checkInitialState(const Scenario& scenario, ProblemList& problems) {
     if (!fresh && !body.name.empty() && named) {
       judge.say(written("name", body.name) + " is listed twice" + inLine(first->second->origin), "list it once");
     }
-    judge.finite("z", body.z, kLength);
-    judge.finite("pitch", body.pitch, kAngle);
-    judge.finite("z_rate", body.z_rate, kSpeed);
-    judge.finite("pitch_rate", body.pitch_rate, kAngularVelocity);
+    judge.numbers(body);
   }
 }
 
@@ -233,7 +229,7 @@ ProblemList check(const Scenario& scenario) {
   ProblemList problems;
   Judge judge(problems, "<scenario>", scenario.name, scenario.origin);
   judge.properName(scenario.name);
-  judge.notNegative("gravity", scenario.gravity, kAcceleration);
+  judge.numbers(scenario);
   if (!scenario.track && !scenario.rig && !scenario.origin.hasStrange()) {
     judge.say("has no <track> and no <rig>", "give one of them; <track history=\"onset\"/> is a straight, even track");
   }

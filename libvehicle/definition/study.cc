@@ -5,13 +5,11 @@
 #include <set>
 
 #include "libvehicle/definition/judge.h"
+#include "libvehicle/definition/study_attributes.h"
 
 namespace vehicle {
 
 namespace {
-
-// A grid of more steps has been mistyped; sampling plans take any value of a range.
-constexpr int kMostSteps = 1'000'000;
 
 PlanKind planOf(const Study& study) { return study.plan ? study.plan->kind : PlanKind::kGrid; }
 
@@ -42,7 +40,7 @@ class Checks {
   ProblemList run() {
     Judge judge(problems_, "<study>", study_.name, study_.origin);
     judge.properName(study_.name);
-    judge.notNegative("settle", study_.settle, Dimension::kTime);
+    judge.numbers(study_);
     if (study_.evaluation == Evaluation::kSteadyState && study_.settle > 0.0) {
       judge.say(judge.written("settle", study_.settle, Dimension::kTime) +
                     " has no effect with evaluation=\"steady_state\", which has no start to leave out",
@@ -109,8 +107,10 @@ class Checks {
       judge.say("has no values", "give from and to, or values=\"1 kN/m, 2 kN/m\"");
       return;
     }
-    if (vary.count && (*vary.count < 2 || *vary.count > kMostSteps)) {
-      judge.say(judge.written("count", *vary.count), "must be 2..1000000; both ends of a range count");
+    if (const AttributeRow& row = rowOf<&Vary::count>();
+        vary.count && (*vary.count < row.least || *vary.count > row.most)) {
+      judge.say(judge.written("count", *vary.count), "must be " + std::to_string(row.least) + ".." +
+                                                         std::to_string(row.most) + "; both ends of a range count");
     }
     const bool grid = planOf(study_) == PlanKind::kGrid && (!study_.plan || study_.plan->origin.knows("kind"));
     if (!vary.count && !study_.search && grid && !study_.origin.hasStrange()) {

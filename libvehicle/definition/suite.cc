@@ -4,13 +4,11 @@
 #include <string_view>
 
 #include "libvehicle/definition/judge.h"
+#include "libvehicle/definition/suite_attributes.h"
 
 namespace vehicle {
 
 namespace {
-
-// A suite crosses its speeds with everything else: beyond this a typing error is likelier than a wish.
-constexpr int kMostSpeeds = 10'000;
 
 void checkFiles(const std::vector<FileReference>& files, std::string_view kind, ProblemList& problems) {
   std::map<std::string_view, const FileReference*> seen;
@@ -42,11 +40,14 @@ void checkChoices(const std::vector<NamedChoice>& choices, std::string_view kind
 
 void checkSpeed(const SpeedRange& range, ProblemList& problems) {
   Judge judge(problems, "<suite><speed>", "", range.origin);
-  const bool from = judge.positive("from", range.from, Dimension::kSpeed);
-  const bool to = judge.positive("to", range.to, Dimension::kSpeed);
+  const bool from = judge.number<&SpeedRange::from>(range);
+  const bool to = judge.number<&SpeedRange::to>(range);
+  judge.numbers<&SpeedRange::from, &SpeedRange::to>(range);
   const bool count = judge.knows({"count"});
-  if (count && (range.count < 1 || range.count > kMostSpeeds)) {
-    judge.say(judge.written("count", range.count), "must be 1..10000");
+  if (const AttributeRow& row = rowOf<&SpeedRange::count>();
+      count && (range.count < row.least || range.count > row.most)) {
+    judge.say(judge.written("count", range.count),
+              "must be " + std::to_string(row.least) + ".." + std::to_string(row.most));
   }
   if (!from || !to) return;
   if (range.from > range.to) {

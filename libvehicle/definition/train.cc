@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libvehicle/definition/judge.h"
+#include "libvehicle/definition/train_attributes.h"
 #include "libvehicle/definition/train_part.h"
 
 namespace vehicle {
@@ -89,8 +90,9 @@ class TrainCheck {
       judge.say(judge.written("count", each.count), "must be >= 1");
       values_hold_ = false;
     }
-    const bool spacing = judge.positive("spacing", each.spacing, Dimension::kLength);
-    const bool end = judge.positive("end_x", each.end_x, Dimension::kLength);
+    const bool spacing = judge.number<&TrainVehicle::spacing>(each);
+    const bool end = judge.number<&TrainVehicle::end_x>(each);
+    judge.numbers<&TrainVehicle::spacing, &TrainVehicle::end_x>(each);
     values_hold_ = values_hold_ && spacing && end;
     if (!isRead(each)) return;
     if (!each.vehicle.units.empty()) judge.say(quotedName(each) + " is a train itself", "list its vehicles one by one");
@@ -105,10 +107,9 @@ class TrainCheck {
 
   void checkCoupling(const Coupling& each) {
     Judge judge = judgeOf(each);
-    judge.notNegative("stiffness_z", each.stiffness_z, Dimension::kStiffness);
-    judge.notNegative("damping_z", each.damping_z, Dimension::kDamping);
-    const bool end = judge.positive("end_x", each.end_x, Dimension::kLength);
-    values_hold_ = values_hold_ && judge.finite("z", each.z, Dimension::kLength) && end;
+    judge.numbers<&Coupling::end_x, &Coupling::z>(each);
+    const bool end = judge.number<&Coupling::end_x>(each);
+    values_hold_ = values_hold_ && judge.number<&Coupling::z>(each) && end;
   }
 
   void checkHeights() {

@@ -6,6 +6,7 @@
 
 #include "libvehicle/definition/judge.h"
 #include "libvehicle/definition/parts.h"
+#include "libvehicle/definition/vehicle_attributes.h"
 
 namespace vehicle {
 
@@ -38,13 +39,11 @@ void checkMotion(const Body& body, Judge& judge) {
 
 void checkBody(const Body& body, ProblemList& problems) {
   Judge judge(problems, pathOf("body", body.group), body.name, body.origin);
-  judge.positive("mass", body.mass, kMass);
-  judge.finite("x", body.x, kLength);
-  judge.finite("z", body.z, kLength);
+  judge.numbers<&Body::pitch_inertia>(body);
   checkMotion(body, judge);
   const bool pitches = moves(body, Motion::kPitch) && judge.knows({"motion"});
   if (!pitches) {
-    judge.notNegative("pitch_inertia", body.pitch_inertia, kInertia);
+    judge.number<&Body::pitch_inertia>(body);
   } else if (body.pitch_inertia) {
     judge.positive("pitch_inertia", body.pitch_inertia, kInertia);
   } else if (judge.knows({"pitch_inertia"})) {
@@ -54,13 +53,7 @@ void checkBody(const Body& body, ProblemList& problems) {
 
 void checkWheelset(const Wheelset& wheelset, ProblemList& problems) {
   Judge judge(problems, pathOf("wheelset", wheelset.group), wheelset.name, wheelset.origin);
-  judge.finite("x", wheelset.x, kLength);
-  judge.finite("z", wheelset.z, kLength);
-  judge.positive("mass", wheelset.mass, kMass);
-  judge.positive("load", wheelset.load, kForce);
-  judge.positive("contact_stiffness", wheelset.contact_stiffness, kStiffness);
-  judge.notNegative("contact_damping", wheelset.contact_damping, kDamping);
-  judge.positive("hertz_constant", wheelset.hertz_constant, kHertzConstant);
+  judge.numbers(wheelset);
   const bool spring = wheelset.contact_stiffness || wheelset.hertz_constant;
   if (wheelset.contact_stiffness && wheelset.hertz_constant) {
     judge.say("has contact_stiffness and hertz_constant", "give one of them: the contact is linear or Hertz's");
@@ -78,12 +71,9 @@ void checkWheelset(const Wheelset& wheelset, ProblemList& problems) {
 
 void checkSuspension(const Suspension& suspension, ProblemList& problems) {
   Judge judge(problems, pathOf("suspension", suspension.group), suspension.name, suspension.origin);
-  judge.finite("x", suspension.x, kLength);
-  judge.finite("x_lower", suspension.x_lower, kLength);
-  judge.finite("z_upper", suspension.z_upper, kLength);
-  judge.finite("z_lower", suspension.z_lower, kLength);
-  judge.finite("y", suspension.y, kLength);
-  judge.finite("preload", suspension.preload, kForce);
+  judge.number<&Suspension::x>(suspension);
+  judge.finite("x_lower", suspension.x_lower, kLength);  // of a coupling: no file gives it
+  judge.numbers<&Suspension::x>(suspension);
   if (judge.knows({"sides"})) {
     if (suspension.sides != 1 && suspension.sides != 2) {
       judge.say(judge.written("sides", suspension.sides), "must be 1 or 2");
@@ -181,18 +171,16 @@ ProblemList check(const Vehicle& vehicle) {
   ProblemList problems;
   checkWhole(vehicle, problems);
   for (const Element& element : vehicle.elements) {
-    Judge judge(problems, pathOf("element"), element.name, element.origin);
-    judge.notNegative("stiffness_z", element.stiffness_z, kStiffness);
-    judge.notNegative("damping_z", element.damping_z, kDamping);
+    Judge(problems, pathOf("element"), element.name, element.origin).numbers(element);
   }
   for (const Group& group : vehicle.groups) {
-    Judge(problems, pathOf("group"), group.name, group.origin).finite("x", group.x, kLength);
+    Judge(problems, pathOf("group"), group.name, group.origin).numbers(group);
   }
   for (const Body& body : vehicle.bodies) checkBody(body, problems);
   for (const Wheelset& wheelset : vehicle.wheelsets) checkWheelset(wheelset, problems);
   for (const Suspension& suspension : vehicle.suspensions) checkSuspension(suspension, problems);
   for (const Point& point : vehicle.points) {
-    Judge(problems, pathOf("point", point.group), point.name, point.origin).finite("x", point.x, kLength);
+    Judge(problems, pathOf("point", point.group), point.name, point.origin).numbers(point);
   }
   checkHeights(vehicle, problems);
   problems.append(checkTies(vehicle));

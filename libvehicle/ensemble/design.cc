@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libvehicle/flat/flat_statics.h"
+#include "libvehicle/model/rest.h"
 
 namespace vehicle {
 namespace {
@@ -35,7 +36,8 @@ std::optional<FlatColumn> after(FlatColumn first, std::optional<int> place) {
 }  // namespace
 
 EnsembleDesign ensembleDesign(const Topology& topology, const FlatLayout& layout, double gravity) {
-  const FlatLoads loads = flatLoads(topology, layout, gravity);
+  const std::optional<FlatLoads> lever = leverRule(topology, layout, gravity);
+  const FlatLoads loads = lever ? *lever : loadsAtRest(restOf(topology, gravity), layout);
   EnsembleDesign design;
   design.vehicle = flatParameters(topology, layout, loads);
   design.wheel_load = loads.wheel;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/flat/flat_layout.h"
 #include "libvehicle/flat/flat_model.h"
+#include "libvehicle/model/topology.h"
 
 namespace vehicle {
 
@@ -53,7 +53,7 @@ inline constexpr int kFlatColumns = static_cast<int>(FlatColumn::kFirstPoint) + 
 /// The design of a vehicle that the flat form fits: parameters, static loads, wheelset masses, and the arms of its
 /// measuring points on the carbody, in file order. It starts at rest on level rail.
 /// @param layout  readLayout(vehicle, topology).layout, whole
-/// @throws InvalidInput if the springs cannot carry the weight, as flatLoads() says
+/// @throws InvalidInput if the springs cannot carry the weight, as restOf() says
 [[nodiscard]] EnsembleDesign ensembleDesign(const Topology& topology, const FlatLayout& layout, double gravity);
 
 /// The column that a result of that vehicle calls `name`, e.g. "carbody.az" or "secondary_front.deflection"; nothing

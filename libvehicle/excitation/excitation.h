@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/topology.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/system/input.h"
 
 namespace vehicle {

@@ -3,8 +3,9 @@
 #include <array>
 #include <memory>
 
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/flat/flat_model.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/system.h"
 
 namespace vehicle {
@@ -20,8 +21,8 @@ enum class FlatVariant {
 /// Why the flat form cannot represent this vehicle, one problem an element; empty if it can. It represents one
 /// carbody (z, pitch) on two bogies (z) by one suspension each, each bogie on two wheelsets that follow the
 /// rail; front and rear may differ in everything. The printed variants also need the paper's symmetry and no static
-/// loads at heights. A vehicle that contradicts itself gives check()'s problems.
-[[nodiscard]] ProblemList flatMisfits(const Vehicle& vehicle, FlatVariant variant);
+/// loads at heights.
+[[nodiscard]] ProblemList flatMisfits(const Topology& topology, FlatVariant variant);
 
 /// The paper's equations for one vehicle. States, channels and columns are in the vehicle's own order, as in every
 /// form; inside, the equations count parts from the front. Immutable: one object serves any number of threads.
@@ -43,8 +44,8 @@ class FlatForm : public System {
   [[nodiscard]] virtual const std::array<int, 4>& wheelOrder() const = 0;
 };
 
-/// @throws InvalidInput with flatMisfits(), or as restOf() where the springs cannot carry the weight
-[[nodiscard]] std::unique_ptr<FlatForm> buildFlatForm(const Vehicle& vehicle, double gravity,
+/// @throws InvalidInput with flatMisfits()
+[[nodiscard]] std::unique_ptr<FlatForm> buildFlatForm(const CompiledModel& model,
                                                       FlatVariant variant = FlatVariant::kConsistent);
 
 }  // namespace vehicle

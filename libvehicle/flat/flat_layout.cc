@@ -30,7 +30,7 @@ const std::string kOtherForm = "take the form matrix, which computes any vehicle
 /// Reads a layout part by part and notes what does not fit.
 class Reader {
  public:
-  Reader(const Vehicle& vehicle, const Topology& topology) : vehicle_(vehicle), topology_(topology) {}
+  explicit Reader(const Topology& topology) : topology_(topology) {}
 
   FlatReading read() {
     sortSuspensions();
@@ -50,10 +50,10 @@ class Reader {
     reading_.problems.add({place, pathOfPart(element, name), message, remedy});
   }
   void misfitBody(int body, const std::string& message, const std::string& remedy = kOtherForm) {
-    misfit(vehicle_.bodies[at(body)].origin, "body", topology_.bodies[at(body)].name, message, remedy);
+    misfit(topology_.bodies[at(body)].origin, "body", topology_.bodies[at(body)].name, message, remedy);
   }
   void misfitSuspension(int suspension, const std::string& message) {
-    misfit(vehicle_.suspensions[at(suspension)].origin, "suspension", topology_.suspensions[at(suspension)].name,
+    misfit(topology_.suspensions[at(suspension)].origin, "suspension", topology_.suspensions[at(suspension)].name,
            message);
   }
 
@@ -84,7 +84,7 @@ class Reader {
       }
     }
     if (reading_.layout.carbody < 0) {
-      reading_.problems.add({vehicle_.origin, fmt::format("<vehicle name=\"{}\">", vehicle_.name),
+      reading_.problems.add({topology_.origin, fmt::format("<vehicle name=\"{}\">", topology_.name),
                              "has no body that stands on other bodies; the form flat computes a carbody on two bogies",
                              kOtherForm});
       return false;
@@ -176,7 +176,7 @@ class Reader {
   void readWheelsets() {
     for (std::size_t j = 0; j < topology_.wheelsets.size(); ++j) {
       const TopologyWheelset& wheelset = topology_.wheelsets[j];
-      const Place& place = vehicle_.wheelsets[j].origin;
+      const Place& place = wheelset.origin;
       if (wheelset.z_index >= 0) {
         misfit(
             place, "wheelset", wheelset.name,
@@ -200,7 +200,6 @@ class Reader {
     }
   }
 
-  const Vehicle& vehicle_;
   const Topology& topology_;
   FlatReading reading_;
   std::vector<std::vector<int>> under_;      // (bodies) suspensions from this body down to bodies
@@ -210,9 +209,9 @@ class Reader {
 
 }  // namespace
 
-FlatReading readLayout(const Vehicle& vehicle, const Topology& topology) { return Reader(vehicle, topology).read(); }
+FlatReading readLayout(const Topology& topology) { return Reader(topology).read(); }
 
-ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const FlatLayout& layout) {
+ProblemList asymmetries(const Topology& topology, const FlatLayout& layout) {
   // Places are sums and differences of the file's numbers: arms that are equal on paper may differ by roundings.
   constexpr double kEqual = 1e-9;
   const std::string remedy = "give both the same, or take the form flat";
@@ -228,21 +227,20 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
   const auto compareSuspension = [&](int index, int model_index) {
     const TopologySuspension& one = topology.suspensions[at(index)];
     const TopologySuspension& model = topology.suspensions[at(model_index)];
-    const Place& place = vehicle.suspensions[at(index)].origin;
+    const Place& place = one.origin;
     compare(place, "suspension", one.name, "stiffness", one.stiffness, model.name, model.stiffness, "N/m");
     compare(place, "suspension", one.name, "damping", one.damping, model.name, model.damping, "N*s/m");
   };
   const TopologyBody& front = topology.bodies[at(layout.bogie[0])];
   const TopologyBody& rear = topology.bodies[at(layout.bogie[1])];
-  compare(vehicle.bodies[at(layout.bogie[1])].origin, "body", rear.name, "mass", rear.mass, front.name, front.mass,
-          "kg");
+  compare(rear.origin, "body", rear.name, "mass", rear.mass, front.name, front.mass, "kg");
   compareSuspension(layout.secondary[1], layout.secondary[0]);
   const TopologySuspension& ahead = topology.suspensions[at(layout.secondary[0])];
   const TopologySuspension& behind = topology.suspensions[at(layout.secondary[1])];
   const double lf = ahead.arm_upper;
   const double lr = -behind.arm_upper;
   if (std::abs(lf - lr) > kEqual * std::max(std::abs(lf), std::abs(lr))) {
-    problems.add({vehicle.suspensions[at(layout.secondary[1])].origin, pathOfPart("suspension", behind.name),
+    problems.add({behind.origin, pathOfPart("suspension", behind.name),
                   fmt::format("stands {:.10g} m behind the carbody's centre of gravity, \"{}\" {:.10g} m ahead; the "
                               "printed equations have one lever arm for both",
                               lr, ahead.name, lf),
@@ -252,7 +250,7 @@ ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const 
   for (const int secondary : layout.secondary) {
     const TopologySuspension& suspension = topology.suspensions[at(secondary)];
     if (suspension.height_upper == 0.0) continue;
-    problems.add({vehicle.suspensions[at(secondary)].origin, pathOfPart("suspension", suspension.name),
+    problems.add({suspension.origin, pathOfPart("suspension", suspension.name),
                   fmt::format("ends {:g} m {} the carbody's centre of gravity; the printed equations carry no "
                               "static loads at heights",
                               std::abs(suspension.height_upper), suspension.height_upper < 0.0 ? "below" : "above"),

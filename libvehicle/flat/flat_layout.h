@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/model/topology.h"
 
 namespace vehicle {
 
@@ -24,11 +24,10 @@ struct FlatReading {
   ProblemList problems;
 };
 
-/// @param topology  topologyOf(vehicle); the vehicle tells where each part was written
-[[nodiscard]] FlatReading readLayout(const Vehicle& vehicle, const Topology& topology);
+[[nodiscard]] FlatReading readLayout(const Topology& topology);
 
 /// What hinders the printed variants of a vehicle that fits the consistent one: they know one bogie, one primary,
 /// one secondary, one lever arm, and no static loads at heights.
-[[nodiscard]] ProblemList asymmetries(const Vehicle& vehicle, const Topology& topology, const FlatLayout& layout);
+[[nodiscard]] ProblemList asymmetries(const Topology& topology, const FlatLayout& layout);
 
 }  // namespace vehicle

@@ -55,6 +55,7 @@ class FlatHalf final : public System {
   FlatHalf(FlatHalfRhs rhs, std::vector<Channel> states) : rhs_(rhs), states_(std::move(states)) {}
 
   int channels() const override { return 1; }
+  StateLayout layout() const override { return {.coordinates = 2}; }
   const std::vector<Channel>& states() const override { return states_; }
   const std::vector<Channel>& outputs() const override { return states_; }
   [[nodiscard]] const FlatHalfRhs& rhs() const { return rhs_; }

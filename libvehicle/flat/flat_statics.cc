@@ -1,8 +1,7 @@
 #include "libvehicle/flat/flat_statics.h"
 
 #include <cmath>
-
-#include "libvehicle/statics/rest.h"
+#include <cstddef>
 
 namespace vehicle {
 namespace {
@@ -11,39 +10,46 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-FlatLoads flatLoads(const Topology& topology, const FlatLayout& layout, double gravity) {
+std::optional<FlatLoads> leverRule(const Topology& topology, const FlatLayout& layout, double gravity) {
   const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
   const auto& suspensions = topology.suspensions;
   const double lf = suspensions[at(layout.secondary[0])].arm_upper;
   const double lr = -suspensions[at(layout.secondary[1])].arm_upper;
-  // The carbody's centre of gravity lies between the pivots; what restOf() refuses, it shall refuse.
-  bool lever_rule = lf > 0.0 && lr > 0.0 && gravity >= 0.0 && std::isfinite(gravity);
+  // The carbody's centre of gravity lies between the pivots.
+  bool applies = lf > 0.0 && lr > 0.0 && gravity >= 0.0 && std::isfinite(gravity);
   for (const TopologySuspension& suspension : suspensions) {
-    lever_rule = lever_rule && suspension.stiffness > 0.0 && !suspension.preload;
+    applies = applies && suspension.stiffness > 0.0 && !suspension.preload;
   }
+  if (!applies) return std::nullopt;
   FlatLoads loads;
-  if (lever_rule) {
-    const double weight = carbody.mass * gravity;
-    loads.secondary = {weight * lr / (lf + lr), weight * lf / (lf + lr)};
-    for (std::size_t wheel = 0; wheel < 4; ++wheel) {
-      const std::size_t bogie = wheel / 2;
-      const double c = suspensions[at(layout.primary[wheel])].stiffness;
-      const double c_both = suspensions[at(layout.primary[2 * bogie])].stiffness +
-                            suspensions[at(layout.primary[2 * bogie + 1])].stiffness;
-      const TopologyWheelset& wheelset = topology.wheelsets[at(layout.wheelset[wheel])];
-      loads.primary[wheel] =
-          (topology.bodies[at(layout.bogie[bogie])].mass * gravity + loads.secondary[bogie]) * c / c_both;
-      loads.wheel[wheel] = wheelset.load.value_or(wheelset.mass * gravity + loads.primary[wheel]);
-    }
-    return loads;
+  const double weight = carbody.mass * gravity;
+  loads.secondary = {weight * lr / (lf + lr), weight * lf / (lf + lr)};
+  for (std::size_t wheel = 0; wheel < 4; ++wheel) {
+    const std::size_t bogie = wheel / 2;
+    const double c = suspensions[at(layout.primary[wheel])].stiffness;
+    const double c_both =
+        suspensions[at(layout.primary[2 * bogie])].stiffness + suspensions[at(layout.primary[2 * bogie + 1])].stiffness;
+    const TopologyWheelset& wheelset = topology.wheelsets[at(layout.wheelset[wheel])];
+    loads.primary[wheel] =
+        (topology.bodies[at(layout.bogie[bogie])].mass * gravity + loads.secondary[bogie]) * c / c_both;
+    loads.wheel[wheel] = wheelset.load.value_or(wheelset.mass * gravity + loads.primary[wheel]);
   }
-  const Rest rest = restOf(topology, gravity);
+  return loads;
+}
+
+FlatLoads loadsAtRest(const Rest& rest, const FlatLayout& layout) {
+  FlatLoads loads;
   for (std::size_t i = 0; i < 2; ++i) loads.secondary[i] = rest.suspension_load[at(layout.secondary[i])];
   for (std::size_t wheel = 0; wheel < 4; ++wheel) {
     loads.primary[wheel] = rest.suspension_load[at(layout.primary[wheel])];
     loads.wheel[wheel] = rest.wheel_load[at(layout.wheelset[wheel])];
   }
   return loads;
+}
+
+FlatLoads flatLoads(const CompiledModel& model, const FlatLayout& layout) {
+  const std::optional<FlatLoads> loads = leverRule(model.topology, layout, model.gravity);
+  return loads ? *loads : loadsAtRest(model.rest, layout);
 }
 
 FlatParameters flatParameters(const Topology& topology, const FlatLayout& layout, const FlatLoads& loads) {

@@ -9,86 +9,69 @@
 #include "libvehicle/flat/flat_output.h"
 #include "libvehicle/flat/flat_statics.h"
 #include "libvehicle/flat/flat_train_layout.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/flat/flat_unit_response.h"
 
 namespace vehicle {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Static loads of every vehicle.
-struct TrainLoads {
-  std::vector<FlatLoads> vehicles;
-  std::optional<Rest> rest;  // of the whole train, where its couplings take part
-};
-
-/// Couplings that carry no static load leave each vehicle to itself: the lever rule serves it, and no matrix of the
-/// whole train is needed.
+/// Couplings that carry no static load leave each vehicle to itself: the lever rule serves it.
 bool carryNothing(const Topology& topology, const FlatTrainLayout& layout) {
   return std::all_of(layout.couplings.begin(), layout.couplings.end(), [&](int s) {
     return s < 0 || topology.suspensions[at(s)].preload == 0.0;
   });
 }
 
-TrainLoads loadsOf(const Topology& topology, const FlatTrainLayout& layout, double gravity) {
-  TrainLoads loads;
-  if (carryNothing(topology, layout)) {
-    for (const FlatTrainVehicle& each : layout.vehicles) {
-      loads.vehicles.push_back(flatLoads(each.own, each.own_layout, gravity));
-    }
-    return loads;
-  }
-  loads.rest = restOf(topology, gravity);
-  for (const FlatTrainVehicle& vehicle : layout.vehicles) {
-    const FlatLayout& each = vehicle.layout;
-    FlatLoads own;
-    for (std::size_t i = 0; i < 2; ++i) own.secondary[i] = loads.rest->suspension_load[at(each.secondary[i])];
-    for (std::size_t i = 0; i < 4; ++i) {
-      own.primary[i] = loads.rest->suspension_load[at(each.primary[i])];
-      own.wheel[i] = loads.rest->wheel_load[at(each.wheelset[i])];
-    }
-    loads.vehicles.push_back(own);
+/// Static loads of every vehicle.
+std::vector<FlatLoads> loadsOf(const CompiledModel& model, const FlatTrainLayout& layout, bool each_for_itself) {
+  std::vector<FlatLoads> loads;
+  for (const FlatTrainVehicle& each : layout.vehicles) {
+    const std::optional<FlatLoads> lever =
+        each_for_itself ? leverRule(each.own, each.own_layout, model.gravity) : std::nullopt;
+    loads.push_back(lever ? *lever : loadsAtRest(model.rest, each.layout));
   }
   return loads;
 }
 
 /// The columns of a coupling. Its force counts from its upper carbody, which need not be the one ahead.
 struct CouplingColumns {
-  int column = -1;    // -1: there is none
+  int deflection = -1;  // -1: there is none
+  int force = -1;
   double sign = 1.0;  // of the elongation that the equations have
 };
 
 class CoupledVehicles final : public FlatTrain {
  public:
-  CoupledVehicles(const Topology& topology, const FlatTrainLayout& layout, double gravity)
-      : states_(stateChannels(topology)), outputs_(resultChannels(topology)) {
-    const TrainLoads loads = loadsOf(topology, layout, gravity);
-    const ResultPlaces places = resultPlacesOf(topology);
-    const int n = topology.coordinates;
+  CoupledVehicles(const CompiledModel& model, const FlatTrainLayout& layout) : model_(model) {
+    const Topology& topology = model_.topology;
+    const bool each_for_itself = carryNothing(topology, layout);
+    const std::vector<FlatLoads> loads = loadsOf(model_, layout, each_for_itself);
     std::vector<FlatBodyNames> names;
     std::vector<int> state_order;
     std::vector<int> channel_order;
     for (std::size_t v = 0; v < layout.vehicles.size(); ++v) {
       const FlatLayout& each = layout.vehicles[v].layout;
-      vehicles_.push_back(flatParameters(topology, each, loads.vehicles[v]));
-      if (loads.rest) vehicles_.back().k_g = loads.rest->pitch_stiffness[at(each.carbody)];
-      columns_.emplace_back(topology, places, each, vehicles_.back(), loads.vehicles[v]);
+      vehicles_.push_back(flatParameters(topology, each, loads[v]));
+      if (!each_for_itself) vehicles_.back().k_g = model_.rest.pitch_stiffness[at(each.carbody)];
+      columns_.emplace_back(model_, each, vehicles_.back(), loads[v]);
       const TopologyBody& carbody = topology.bodies[at(each.carbody)];
       const TopologyBody& front = topology.bodies[at(each.bogie[0])];
       const TopologyBody& rear = topology.bodies[at(each.bogie[1])];
       names.push_back({carbody.name, front.name, rear.name});
       for (const int q : {carbody.z_index, carbody.pitch_index, front.z_index, rear.z_index}) {
-        state_order.insert(state_order.end(), {q, n + q});
+        state_order.insert(state_order.end(), {q, model_.states.rate(q)});
       }
       channel_order.insert(channel_order.end(), each.wheelset.begin(), each.wheelset.end());
     }
-    for (std::size_t v = 0; v < layout.couplings.size(); ++v) addCoupling(topology, layout, places, v);
+    for (std::size_t v = 0; v < layout.couplings.size(); ++v) addCoupling(layout, v);
     equations_.emplace(vehicles_, couplings_, names, std::move(state_order), std::move(channel_order));
   }
 
   int channels() const override { return equations_->channels(); }
-  const std::vector<Channel>& states() const override { return states_; }
-  const std::vector<Channel>& outputs() const override { return outputs_; }
+  StateLayout layout() const override { return model_.states; }
+  const std::vector<Channel>& states() const override { return model_.state_channels; }
+  const std::vector<Channel>& outputs() const override { return model_.outputs.channels(); }
   const EquationSet* equations() const override { return &*equations_; }
   const std::vector<FlatParameters>& vehicles() const override { return vehicles_; }
   const std::vector<FlatCoupling>& couplings() const override { return couplings_; }
@@ -125,23 +108,7 @@ class CoupledVehicles final : public FlatTrain {
 
   std::optional<StateSpace> linear() const override {
     requireDense("flat", size());
-    // The equations have no constant term, so the answer to a unit vector is a column of the matrices, exactly.
-    StateSpace matrices{Eigen::MatrixXd(size(), size()), Eigen::MatrixXd(size(), 2 * channels())};
-    const auto n = static_cast<std::size_t>(size());
-    const auto w = 2 * at(channels());
-    std::vector<double> unit(std::max(n, w), 0.0);
-    const std::vector<double> zero(unit.size(), 0.0);
-    for (std::size_t i = 0; i < n; ++i) {
-      unit[i] = 1.0;
-      derivative(unit, zero, {matrices.A.col(static_cast<Eigen::Index>(i)).data(), n});
-      unit[i] = 0.0;
-    }
-    for (std::size_t i = 0; i < w; ++i) {
-      unit[i] = 1.0;
-      derivative(zero, unit, {matrices.B.col(static_cast<Eigen::Index>(i)).data(), n});
-      unit[i] = 0.0;
-    }
-    return matrices;
+    return unitResponses(*this);
   }
 
  private:
@@ -182,34 +149,34 @@ class CoupledVehicles final : public FlatTrain {
     return near;
   }
 
-  void addCoupling(const Topology& topology, const FlatTrainLayout& layout, const ResultPlaces& places,
-                   std::size_t ahead) {
+  void addCoupling(const FlatTrainLayout& layout, std::size_t ahead) {
     const int index = layout.couplings[ahead];
     if (index < 0) {
       couplings_.emplace_back();
       coupling_columns_.emplace_back();
       return;
     }
-    const TopologySuspension& each = topology.suspensions[at(index)];
+    const TopologySuspension& each = model_.topology.suspensions[at(index)];
     const bool upper_leads = each.upper == layout.vehicles[ahead].layout.carbody;
     couplings_.push_back({each.stiffness, each.damping, upper_leads ? -each.arm_upper : -each.arm_lower,
                           upper_leads ? each.arm_lower : each.arm_upper});
-    coupling_columns_.push_back({places.suspensions[at(index)], upper_leads ? 1.0 : -1.0});
+    coupling_columns_.push_back({model_.outputs.column(PartKind::kSuspension, index, Quantity::kDeflection),
+                                 model_.outputs.column(PartKind::kSuspension, index, Quantity::kForce),
+                                 upper_leads ? 1.0 : -1.0});
   }
 
   void writeCoupling(int vehicle, const double* ahead, const double* behind, std::span<double> y) const {
     const CouplingColumns& to = coupling_columns_[at(vehicle)];
-    if (to.column < 0) return;
+    if (to.deflection < 0) return;
     const FlatCoupling& q = couplings_[at(vehicle)];
     const auto elongation = [&](int order) {
       return (ahead[order] - q.arm_ahead * ahead[order + 2]) - (behind[order] + q.arm_behind * behind[order + 2]);
     };
-    y[at(to.column)] = to.sign * elongation(0);
-    y[at(to.column) + 1] = to.sign * (q.stiffness * elongation(0) + q.damping * elongation(1));
+    y[at(to.deflection)] = to.sign * elongation(0);
+    y[at(to.force)] = to.sign * (q.stiffness * elongation(0) + q.damping * elongation(1));
   }
 
-  std::vector<Channel> states_;
-  std::vector<Channel> outputs_;
+  CompiledModel model_;
   std::vector<FlatParameters> vehicles_;
   std::vector<FlatCoupling> couplings_;
   std::vector<FlatOutput> columns_;
@@ -219,24 +186,20 @@ class CoupledVehicles final : public FlatTrain {
 
 }  // namespace
 
-ProblemList flatSystemMisfits(const Vehicle& vehicle) {
-  ProblemList problems = check(vehicle);
-  if (!problems.empty()) return problems;
-  const Topology topology = topologyOf(vehicle);
-  if (!isTrain(vehicle, topology)) return flatMisfits(vehicle, FlatVariant::kConsistent);
-  return readTrainLayout(vehicle, topology).problems;
+ProblemList flatSystemMisfits(const Topology& topology) {
+  if (!isTrain(topology)) return flatMisfits(topology, FlatVariant::kConsistent);
+  return readTrainLayout(topology).problems;
 }
 
-std::unique_ptr<System> buildFlatSystem(const Vehicle& vehicle, double gravity) {
-  if (check(vehicle).empty() && isTrain(vehicle, topologyOf(vehicle))) return buildFlatTrain(vehicle, gravity);
-  return buildFlatForm(vehicle, gravity);
+std::unique_ptr<System> buildFlatSystem(const CompiledModel& model) {
+  if (isTrain(model.topology)) return buildFlatTrain(model);
+  return buildFlatForm(model);
 }
 
-std::unique_ptr<FlatTrain> buildFlatTrain(const Vehicle& train, double gravity) {
-  const Topology topology = topologyOf(train);
-  FlatTrainReading reading = readTrainLayout(train, topology);
+std::unique_ptr<FlatTrain> buildFlatTrain(const CompiledModel& train) {
+  FlatTrainReading reading = readTrainLayout(train.topology);
   if (!reading.problems.empty()) throw InvalidInput(std::move(reading.problems));
-  return std::make_unique<CoupledVehicles>(topology, reading.layout, gravity);
+  return std::make_unique<CoupledVehicles>(train, reading.layout);
 }
 
 }  // namespace vehicle

@@ -3,9 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/flat/flat_equation_set.h"
 #include "libvehicle/flat/flat_model.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/system.h"
 
 namespace vehicle {
@@ -23,13 +24,13 @@ class FlatTrain : public System {
 /// Why the form "flat" cannot represent this vehicle or train, one problem an element; empty if it can. A train of it
 /// is several vehicles that flatMisfits() would accept, each coupled to its neighbours at most, by one suspension from
 /// carbody to carbody.
-[[nodiscard]] ProblemList flatSystemMisfits(const Vehicle& vehicle);
+[[nodiscard]] ProblemList flatSystemMisfits(const Topology& topology);
 
 /// The form "flat": a FlatForm of one vehicle, a FlatTrain of several.
-/// @throws InvalidInput with flatSystemMisfits(), or as restOf() where the springs cannot carry the weight
-[[nodiscard]] std::unique_ptr<System> buildFlatSystem(const Vehicle& vehicle, double gravity);
+/// @throws InvalidInput with flatSystemMisfits()
+[[nodiscard]] std::unique_ptr<System> buildFlatSystem(const CompiledModel& model);
 
 /// @throws InvalidInput as buildFlatSystem()
-[[nodiscard]] std::unique_ptr<FlatTrain> buildFlatTrain(const Vehicle& train, double gravity);
+[[nodiscard]] std::unique_ptr<FlatTrain> buildFlatTrain(const CompiledModel& train);
 
 }  // namespace vehicle

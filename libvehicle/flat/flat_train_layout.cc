@@ -37,17 +37,6 @@ std::vector<char> couplingsOf(const Topology& topology) {
   return couplings;
 }
 
-/// The vehicle of a part, as far as its problems are told by it.
-Vehicle vehicleOf(const Vehicle& whole, const TopologyPart& part) {
-  Vehicle made;
-  made.name = whole.name;
-  made.origin = whole.origin;
-  for (const int b : part.bodies) made.bodies.push_back(whole.bodies[at(b)]);
-  for (const int j : part.wheelsets) made.wheelsets.push_back(whole.wheelsets[at(j)]);
-  for (const int s : part.suspensions) made.suspensions.push_back(whole.suspensions[at(s)]);
-  return made;
-}
-
 FlatLayout inWhole(FlatLayout layout, const TopologyPart& part) {
   layout.carbody = part.bodies[at(layout.carbody)];
   for (int& each : layout.bogie) each = part.bodies[at(each)];
@@ -57,7 +46,7 @@ FlatLayout inWhole(FlatLayout layout, const TopologyPart& part) {
   return layout;
 }
 
-void readCouplings(const Vehicle& vehicle, const Topology& topology, FlatTrainReading& reading) {
+void readCouplings(const Topology& topology, FlatTrainReading& reading) {
   FlatTrainLayout& layout = reading.layout;
   std::map<int, std::size_t> place_of;  // of each carbody along the train
   for (std::size_t v = 0; v < layout.vehicles.size(); ++v) place_of.emplace(layout.vehicles[v].layout.carbody, v);
@@ -67,8 +56,8 @@ void readCouplings(const Vehicle& vehicle, const Topology& topology, FlatTrainRe
     if (couplings[s] == 0) continue;
     const TopologySuspension& coupling = topology.suspensions[s];
     const auto misfit = [&](std::string message) {
-      reading.problems.add({vehicle.suspensions[s].origin, fmt::format("<suspension name=\"{}\">", coupling.name),
-                            std::move(message), "take the form matrix, which computes any train"});
+      reading.problems.add({coupling.origin, fmt::format("<suspension name=\"{}\">", coupling.name), std::move(message),
+                            "take the form matrix, which computes any train"});
     };
     const auto [ahead, behind] = std::minmax(place_of.at(coupling.upper), place_of.at(coupling.lower_body));
     if (behind != ahead + 1) {
@@ -87,17 +76,17 @@ void readCouplings(const Vehicle& vehicle, const Topology& topology, FlatTrainRe
 
 }  // namespace
 
-bool isTrain(const Vehicle& vehicle, const Topology& topology) {
-  if (vehicle.units.size() > 1) return true;
+bool isTrain(const Topology& topology) {
+  if (topology.units > 1) return true;
   const std::vector<char> couplings = couplingsOf(topology);
   return std::find(couplings.begin(), couplings.end(), 1) != couplings.end();
 }
 
-FlatTrainReading readTrainLayout(const Vehicle& vehicle, const Topology& topology) {
+FlatTrainReading readTrainLayout(const Topology& topology) {
   FlatTrainReading reading;
   std::set<std::pair<std::string, int>> told;
   for (TopologyPart& part : partsOf(topology, couplingsOf(topology))) {
-    const FlatReading read = readLayout(vehicleOf(vehicle, part), part.topology);
+    const FlatReading read = readLayout(part.topology);
     if (read.problems.empty()) {
       reading.layout.vehicles.push_back({inWhole(read.layout, part), std::move(part.topology), read.layout});
       continue;
@@ -110,7 +99,7 @@ FlatTrainReading readTrainLayout(const Vehicle& vehicle, const Topology& topolog
                    [&](const FlatTrainVehicle& a, const FlatTrainVehicle& b) {
                      return topology.bodies[at(a.layout.carbody)].x > topology.bodies[at(b.layout.carbody)].x;
                    });
-  readCouplings(vehicle, topology, reading);
+  readCouplings(topology, reading);
   return reading;
 }
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "libvehicle/definition/topology_part.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/flat/flat_layout.h"
+#include "libvehicle/model/topology_part.h"
 
 namespace vehicle {
 
@@ -28,11 +28,11 @@ struct FlatTrainReading {
 };
 
 /// Whether it holds several vehicles: units, or bodies on bodies that are joined to each other.
-[[nodiscard]] bool isTrain(const Vehicle& vehicle, const Topology& topology);
+[[nodiscard]] bool isTrain(const Topology& topology);
 
 /// Takes the train apart: couplings are suspensions between bodies that stand on other bodies and on no wheelset; what
 /// holds together without them is a vehicle. Reads each as readLayout() does, and the chain of couplings between them.
 /// Of vehicles from the same lines of a file one is told.
-[[nodiscard]] FlatTrainReading readTrainLayout(const Vehicle& vehicle, const Topology& topology);
+[[nodiscard]] FlatTrainReading readTrainLayout(const Topology& topology);
 
 }  // namespace vehicle

@@ -39,7 +39,7 @@ Elongation elongationOf(const TopologySuspension& suspension, const Topology& to
   return elongation;
 }
 
-SparseSecondOrder assemble(const Topology& topology, const Rest& rest) {
+SparseSecondOrder assemble(const Topology& topology, const Rest& rest, const std::vector<SuspensionLawPtr>& laws) {
   const std::size_t n = at(topology.coordinates);
   SparseSecondOrder made{std::vector<double>(n, 0.0), std::vector<std::vector<SecondOrderEntry>>(n),
                          std::vector<std::vector<SecondOrderEntry>>(n)};
@@ -50,21 +50,22 @@ SparseSecondOrder assemble(const Topology& topology, const Rest& rest) {
     made.mass[at(body.pitch_index)] = body.pitch_inertia;
     entryAt(made.own[at(body.pitch_index)], body.pitch_index).stiffness += rest.pitch_stiffness[b];
   }
-  for (const TopologySuspension& suspension : topology.suspensions) {
-    const Elongation elongation = elongationOf(suspension, topology);
+  for (std::size_t s = 0; s < topology.suspensions.size(); ++s) {
+    const Elongation elongation = elongationOf(topology.suspensions[s], topology);
+    const LawSlopes slopes = laws[s]->slopes({});
     for (int i = 0; i < elongation.count; ++i) {
       const auto& [q, arm] = elongation.terms[at(i)];
       for (int j = 0; j < elongation.count; ++j) {
         // Both arms first: a factor drawn into one side would round entry (i, j) unlike entry (j, i).
         const double square = arm * elongation.terms[at(j)].arm;
         SecondOrderEntry& entry = entryAt(made.own[at(q)], elongation.terms[at(j)].q);
-        entry.stiffness += suspension.stiffness * square;
-        entry.damping += suspension.damping * square;
+        entry.stiffness += slopes.elongation * square;
+        entry.damping += slopes.rate * square;
       }
       if (elongation.channel < 0) continue;
       SecondOrderEntry& entry = entryAt(made.rail[at(q)], elongation.channel);
-      entry.stiffness += suspension.stiffness * arm;
-      entry.damping += suspension.damping * arm;
+      entry.stiffness += slopes.elongation * arm;
+      entry.damping += slopes.rate * arm;
     }
   }
   for (std::size_t j = 0; j < topology.wheelsets.size(); ++j) {

@@ -3,9 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/matrix/matrix_form.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/compiled_model.h"
 
 namespace vehicle {
 
@@ -36,10 +35,11 @@ struct SparseSecondOrder {
   std::vector<std::vector<SecondOrderEntry>> rail;  // rows of B0 and B1 (N), channels ascending
 };
 
-/// The matrices of a topology about its rest position (docs/theory/vertical.md). Work and memory grow with the number
-/// of suspensions.
-/// @param rest  static-load terms of heights and linearised contacts
-[[nodiscard]] SparseSecondOrder assemble(const Topology& topology, const Rest& rest);
+/// The matrices of a topology about its rest position (docs/theory/vertical.md), static-load terms of heights and
+/// linearised contacts included; of a law its slopes there. Work and memory grow with the number of suspensions.
+/// @param laws  (suspensions)
+[[nodiscard]] SparseSecondOrder assemble(const Topology& topology, const Rest& rest,
+                                         const std::vector<SuspensionLawPtr>& laws);
 
 /// The same with its zeros.
 [[nodiscard]] SecondOrder withZeros(const SparseSecondOrder& sparse, int channels);

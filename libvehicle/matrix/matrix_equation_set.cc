@@ -37,7 +37,8 @@ std::vector<int> inverseOf(const std::vector<int>& order) {
 
 }  // namespace
 
-MatrixEquationSet::MatrixEquationSet(const Topology& topology, const SparseSecondOrder& matrices) {
+MatrixEquationSet::MatrixEquationSet(const CompiledModel& model, const SparseSecondOrder& matrices) {
+  const Topology& topology = model.topology;
   const int n = topology.coordinates;
   const std::vector<int> order = fromTheFront(placesOf(topology));
   equation_of_ = inverseOf(order);
@@ -45,7 +46,6 @@ MatrixEquationSet::MatrixEquationSet(const Topology& topology, const SparseSecon
   for (const TopologyWheelset& wheelset : topology.wheelsets) wheel_x.push_back(wheelset.x);
   channel_order_ = fromTheFront(wheel_x);
   const std::vector<int> channel_of = inverseOf(channel_order_);
-  const std::vector<Channel> states = stateChannels(topology);
 
   const auto addRow = [&](const std::vector<SecondOrderEntry>& row, const std::vector<int>& cut_of, double factor) {
     const auto begin = static_cast<std::ptrdiff_t>(entries_.size());
@@ -61,7 +61,7 @@ MatrixEquationSet::MatrixEquationSet(const Topology& topology, const SparseSecon
   for (int e = 0; e < n; ++e) {
     const int q = order[at(e)];
     const double inverse_mass = 1.0 / matrices.mass[at(q)];
-    Equation equation{.name = states[at(q)].name, .reads = {}};
+    Equation equation{.name = model.state_channels[at(q)].name, .reads = {}};
     for (const Entry& each : addRow(matrices.own[at(q)], equation_of_, -inverse_mass)) {
       if (each.cut != e) equation.reads.push_back(each.cut);
     }
@@ -71,7 +71,7 @@ MatrixEquationSet::MatrixEquationSet(const Topology& topology, const SparseSecon
       equation.last_channel = rail.back().cut + 1;
     }
     equations_.push_back(std::move(equation));
-    state_order_.insert(state_order_.end(), {q, n + q});
+    state_order_.insert(state_order_.end(), {q, model.states.rate(q)});
   }
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/matrix/assembly.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/equation_set.h"
 
 namespace vehicle {
@@ -18,8 +18,8 @@ namespace vehicle {
 /// train are neighbours in memory; both sums run in it from left to right, whoever computes them.
 class MatrixEquationSet final : public EquationSet {
  public:
-  /// @param matrices  of that topology
-  MatrixEquationSet(const Topology& topology, const SparseSecondOrder& matrices);
+  /// @param matrices  of that model
+  MatrixEquationSet(const CompiledModel& model, const SparseSecondOrder& matrices);
 
   [[nodiscard]] int channels() const override { return static_cast<int>(channel_order_.size()); }
   [[nodiscard]] const std::vector<Equation>& equations() const override { return equations_; }

@@ -1,6 +1,6 @@
 #include "libvehicle/matrix/matrix_form.h"
 
-#include <utility>
+#include <array>
 #include <vector>
 
 #include "libvehicle/matrix/assembly.h"
@@ -13,26 +13,23 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 class AssembledForm final : public MatrixForm {
  public:
-  AssembledForm(Topology topology, double gravity)
-      : topology_(std::move(topology)),
-        rest_(restOf(topology_, gravity)),
-        matrices_(assemble(topology_, rest_)),
-        equations_(topology_, matrices_),
-        states_(stateChannels(topology_)),
-        outputs_(resultChannels(topology_)) {
-    for (const TopologySuspension& suspension : topology_.suspensions) {
-      elongations_.push_back(elongationOf(suspension, topology_));
+  explicit AssembledForm(const CompiledModel& model)
+      : model_(model), matrices_(assemble(model.topology, model.rest, model.laws)), equations_(model, matrices_) {
+    const Topology& topology = model_.topology;
+    for (const TopologySuspension& suspension : topology.suspensions) {
+      elongations_.push_back(elongationOf(suspension, topology));
     }
-    wheel_suspensions_.resize(topology_.wheelsets.size());
-    for (std::size_t s = 0; s < topology_.suspensions.size(); ++s) {
-      const int wheelset = topology_.suspensions[s].lower_wheelset;
+    wheel_suspensions_.resize(topology.wheelsets.size());
+    for (std::size_t s = 0; s < topology.suspensions.size(); ++s) {
+      const int wheelset = topology.suspensions[s].lower_wheelset;
       if (wheelset >= 0) wheel_suspensions_[at(wheelset)].push_back(static_cast<int>(s));
     }
   }
 
-  int channels() const override { return static_cast<int>(topology_.wheelsets.size()); }
-  const std::vector<Channel>& states() const override { return states_; }
-  const std::vector<Channel>& outputs() const override { return outputs_; }
+  int channels() const override { return model_.inputs.channels; }
+  StateLayout layout() const override { return model_.states; }
+  const std::vector<Channel>& states() const override { return model_.state_channels; }
+  const std::vector<Channel>& outputs() const override { return model_.outputs.channels(); }
   const EquationSet* equations() const override { return &equations_; }
   SecondOrder matrices() const override {
     requireDense("matrix", size());
@@ -40,33 +37,28 @@ class AssembledForm final : public MatrixForm {
   }
 
   void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {
-    const int n = topology_.coordinates;
-    for (int i = 0; i < n; ++i) {
-      dx[at(i)] = x[at(n + i)];
-      dx[at(n + i)] = equations_.acceleration(i, x.data(), u.data());
+    for (int i = 0; i < model_.states.coordinates; ++i) {
+      const std::size_t rate = at(model_.states.rate(i));
+      dx[at(i)] = x[rate];
+      dx[rate] = equations_.acceleration(i, x.data(), u.data());
     }
   }
 
   void output(std::span<const double> x, std::span<const double> u, std::span<double> y) const override {
-    auto next = y.begin();
-    const auto put = [&next](double value) { *next++ = value; };
-    for (const TopologyBody& body : topology_.bodies) putBody(body, x, u, put);
-    for (std::size_t s = 0; s < topology_.suspensions.size(); ++s) {
-      put(elongation(s, x, u, 0));
-      put(force(s, x, u));
+    const Motion motion{*this, x, u};
+    for (std::size_t b = 0; b < model_.topology.bodies.size(); ++b) putBody(static_cast<int>(b), motion, y);
+    for (std::size_t s = 0; s < model_.topology.suspensions.size(); ++s) {
+      const int suspension = static_cast<int>(s);
+      put(PartKind::kSuspension, suspension, Quantity::kDeflection, elongation(s, x, u, 0), y);
+      put(PartKind::kSuspension, suspension, Quantity::kForce, force(s, x, u), y);
     }
-    for (std::size_t j = 0; j < topology_.wheelsets.size(); ++j) putWheelset(j, x, u, put);
-    for (const TopologyPoint& point : topology_.points) {
-      for (int order = 0; order < 3; ++order) {
-        const TopologyBody& body = topology_.bodies[at(point.body)];
-        put(motion(body.z_index, order, x, u) + point.arm * motion(body.pitch_index, order, x, u));
-      }
-    }
+    for (std::size_t j = 0; j < model_.topology.wheelsets.size(); ++j) putWheelset(j, motion, y);
+    for (std::size_t p = 0; p < model_.topology.points.size(); ++p) putPoint(static_cast<int>(p), motion, y);
   }
 
   std::optional<StateSpace> linear() const override {
     const SecondOrder dense = matrices();
-    const Eigen::Index n = topology_.coordinates;
+    const Eigen::Index n = model_.states.coordinates;
     const Eigen::Index w = dense.B0.cols();
     const Eigen::VectorXd inverse_mass = dense.M.diagonal().cwiseInverse();
     StateSpace made{Eigen::MatrixXd::Zero(2 * n, 2 * n), Eigen::MatrixXd::Zero(2 * n, 2 * w)};
@@ -78,65 +70,87 @@ class AssembledForm final : public MatrixForm {
 
  private:
   /// Displacement (order 0), velocity (1) or acceleration (2) of a coordinate; 0 where it does not move.
-  double motion(int index, int order, std::span<const double> x, std::span<const double> u) const {
-    if (index < 0) return 0.0;
-    return order < 2 ? x[at(index + order * topology_.coordinates)]
-                     : equations_.acceleration(index, x.data(), u.data());
+  struct Motion {
+    const AssembledForm& form;
+    std::span<const double> x;
+    std::span<const double> u;
+    double operator()(int index, int order) const {
+      if (index < 0) return 0.0;
+      if (order == 2) return form.equations_.acceleration(index, x.data(), u.data());
+      return x[at(order == 0 ? index : form.model_.states.rate(index))];
+    }
+  };
+
+  static constexpr std::array kHeights = {Quantity::kZ, Quantity::kZRate, Quantity::kZAcceleration};
+  static constexpr std::array kPitches = {Quantity::kPitch, Quantity::kPitchRate, Quantity::kPitchAcceleration};
+
+  void put(PartKind part, int index, Quantity quantity, double value, std::span<double> y) const {
+    y[at(model_.outputs.column(part, index, quantity))] = value;
   }
 
   /// Elongation (order 0) or its rate (1), dynamic part.
   double elongation(std::size_t s, std::span<const double> x, std::span<const double> u, int order) const {
     const Elongation& each = elongations_[s];
-    const double* q = x.data() + order * topology_.coordinates;
+    const double* q = x.data() + (order == 0 ? 0 : model_.states.rate(0));
     double bodies = 0.0;
     for (int i = 0; i < each.count; ++i) bodies += each.terms[at(i)].arm * q[each.terms[at(i)].q];
-    return each.channel < 0 ? bodies : bodies - u[at(each.channel + order * channels())];
+    if (each.channel < 0) return bodies;
+    return bodies - u[at(order == 0 ? each.channel : model_.inputs.rate(each.channel))];
   }
 
   double force(std::size_t s, std::span<const double> x, std::span<const double> u) const {
-    return topology_.suspensions[s].stiffness * elongation(s, x, u, 0) +
-           topology_.suspensions[s].damping * elongation(s, x, u, 1);
+    return model_.laws[s]->force({.elongation = elongation(s, x, u, 0), .rate = elongation(s, x, u, 1)});
   }
 
-  template <class Put>
-  void putBody(const TopologyBody& body, std::span<const double> x, std::span<const double> u, const Put& put) const {
+  void putBody(int index, const Motion& motion, std::span<double> y) const {
+    const TopologyBody& body = model_.topology.bodies[at(index)];
     for (int order = 0; order < 3; ++order) {
-      if (body.z_index >= 0) put(motion(body.z_index, order, x, u));
-      if (body.pitch_index >= 0) put(motion(body.pitch_index, order, x, u));
+      if (body.z_index >= 0) put(PartKind::kBody, index, kHeights[at(order)], motion(body.z_index, order), y);
+      if (body.pitch_index >= 0) put(PartKind::kBody, index, kPitches[at(order)], motion(body.pitch_index, order), y);
     }
   }
 
-  template <class Put>
-  void putWheelset(std::size_t j, std::span<const double> x, std::span<const double> u, const Put& put) const {
-    const TopologyWheelset& wheelset = topology_.wheelsets[j];
-    const std::size_t w = topology_.wheelsets.size();
-    put(u[j]);
+  void putPoint(int index, const Motion& motion, std::span<double> y) const {
+    const TopologyPoint& point = model_.topology.points[at(index)];
+    const TopologyBody& body = model_.topology.bodies[at(point.body)];
+    for (int order = 0; order < 3; ++order) {
+      const double value = motion(body.z_index, order) + point.arm * motion(body.pitch_index, order);
+      put(PartKind::kPoint, index, kHeights[at(order)], value, y);
+    }
+  }
+
+  void putWheelset(std::size_t j, const Motion& motion, std::span<double> y) const {
+    const TopologyWheelset& wheelset = model_.topology.wheelsets[j];
+    const int index = static_cast<int>(j);
+    const std::span<const double> u = motion.u;
+    put(PartKind::kWheelset, index, Quantity::kRailZ, u[j], y);
     if (wheelset.z_index >= 0) {
-      for (int order = 0; order < 3; ++order) put(motion(wheelset.z_index, order, x, u));
-      put(rest_.wheel_load[j] + rest_.contact_stiffness[j] * (u[j] - motion(wheelset.z_index, 0, x, u)) +
-          wheelset.contact_damping * (u[w + j] - motion(wheelset.z_index, 1, x, u)));
+      for (int order = 0; order < 3; ++order) {
+        put(PartKind::kWheelset, index, kHeights[at(order)], motion(wheelset.z_index, order), y);
+      }
+      put(PartKind::kWheelset, index, Quantity::kLoad,
+          model_.rest.wheel_load[j] + model_.rest.contact_stiffness[j] * (u[j] - motion(wheelset.z_index, 0)) +
+              wheelset.contact_damping * (u[at(model_.inputs.rate(index))] - motion(wheelset.z_index, 1)),
+          y);
       return;
     }
     // Newton for the wheelset: load - static load + forces = m eta''. An elongated suspension lifts it.
-    double load = rest_.wheel_load[j] + wheelset.mass * u[2 * w + j];
-    for (const int s : wheel_suspensions_[j]) load -= force(at(s), x, u);
-    put(load);
+    double load = model_.rest.wheel_load[j] + wheelset.mass * u[at(model_.inputs.acceleration(index))];
+    for (const int s : wheel_suspensions_[j]) load -= force(at(s), motion.x, u);
+    put(PartKind::kWheelset, index, Quantity::kLoad, load, y);
   }
 
-  Topology topology_;
-  Rest rest_;
+  CompiledModel model_;
   SparseSecondOrder matrices_;
   MatrixEquationSet equations_;
-  std::vector<Channel> states_;
-  std::vector<Channel> outputs_;
   std::vector<Elongation> elongations_;              // (suspensions)
   std::vector<std::vector<int>> wheel_suspensions_;  // (wheelsets) those that stand on it
 };
 
 }  // namespace
 
-std::unique_ptr<MatrixForm> buildMatrixForm(const Vehicle& vehicle, double gravity) {
-  return std::make_unique<AssembledForm>(topologyOf(vehicle), gravity);
+std::unique_ptr<MatrixForm> buildMatrixForm(const CompiledModel& model) {
+  return std::make_unique<AssembledForm>(model);
 }
 
 }  // namespace vehicle

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/system.h"
 
 namespace vehicle {
@@ -29,7 +29,6 @@ class MatrixForm : public System {
   [[nodiscard]] virtual SecondOrder matrices() const = 0;
 };
 
-/// @throws InvalidInput if the vehicle contradicts itself, nothing of it moves, or its springs cannot carry it
-[[nodiscard]] std::unique_ptr<MatrixForm> buildMatrixForm(const Vehicle& vehicle, double gravity);
+[[nodiscard]] std::unique_ptr<MatrixForm> buildMatrixForm(const CompiledModel& model);
 
 }  // namespace vehicle

@@ -9,10 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/law/linear_spring_damper.h"
 #include "libvehicle/mbs/simbody_model.h"
-#include "libvehicle/statics/rest.h"
 
 namespace vehicle {
 namespace {
@@ -27,11 +26,11 @@ struct Assembled {
   std::vector<int> wheel_contact;  // (wheelsets) among its links; -1: follows the rail
 };
 
-SimbodyLink linkOf(const TopologySuspension& suspension, double preload, const std::vector<int>& wheel_body) {
+SimbodyLink linkOf(const CompiledModel& model, std::size_t index, const std::vector<int>& wheel_body) {
+  const TopologySuspension& suspension = model.topology.suspensions[index];
   SimbodyLink link;
-  link.stiffness = suspension.stiffness;
-  link.damping = suspension.damping;
-  link.preload = preload;
+  link.law = model.laws[index];
+  link.preload = model.rest.suspension_load[index];
   link.upper.body = suspension.upper;
   link.upper.arm = suspension.arm_upper;
   link.upper.height = suspension.height_upper;
@@ -47,12 +46,14 @@ SimbodyLink linkOf(const TopologySuspension& suspension, double preload, const s
   return link;
 }
 
-Assembled assemble(const Topology& topology, const Rest& rest, double gravity, MbsLaw law) {
+Assembled assemble(const CompiledModel& model, MbsLaw law) {
+  const Topology& topology = model.topology;
+  const Rest& rest = model.rest;
   Assembled made;
   SimbodyAssembly& assembly = made.assembly;
-  assembly.coordinates = topology.coordinates;
-  assembly.channels = static_cast<int>(topology.wheelsets.size());
-  assembly.gravity = gravity;
+  assembly.coordinates = model.states.coordinates;
+  assembly.channels = model.inputs.channels;
+  assembly.gravity = model.gravity;
   assembly.geometry = law == MbsLaw::kLinear ? SimbodyGeometry::kLinear : SimbodyGeometry::kTrue;
   for (std::size_t i = 0; i < topology.bodies.size(); ++i) {
     const TopologyBody& body = topology.bodies[i];
@@ -65,18 +66,17 @@ Assembled assemble(const Topology& topology, const Rest& rest, double gravity, M
     assembly.bodies.push_back({wheelset.mass, 0.0, wheelset.x, wheelset.z, wheelset.z_index, -1, 0.0});
   }
   for (std::size_t i = 0; i < topology.suspensions.size(); ++i) {
-    assembly.links.push_back(linkOf(topology.suspensions[i], rest.suspension_load[i], made.wheel_body));
+    assembly.links.push_back(linkOf(model, i, made.wheel_body));
   }
   for (std::size_t j = 0; j < topology.wheelsets.size(); ++j) {
     const TopologyWheelset& wheelset = topology.wheelsets[j];
     made.wheel_contact.push_back(wheelset.z_index >= 0 ? static_cast<int>(assembly.links.size()) : -1);
     if (wheelset.z_index < 0) continue;
     SimbodyLink contact;
-    contact.stiffness = rest.contact_stiffness[j];
-    contact.damping = wheelset.contact_damping;
+    contact.law = std::make_shared<const LinearSpringDamper>(rest.contact_stiffness[j], wheelset.contact_damping);
     // What rests on the contact, not the wheelset's `load`: a load given by hand is what unloading refers to and
     // need not be in balance with the masses.
-    contact.preload = wheelset.mass * gravity;
+    contact.preload = wheelset.mass * model.gravity;
     for (std::size_t i = 0; i < topology.suspensions.size(); ++i) {
       if (topology.suspensions[i].lower_wheelset == static_cast<int>(j)) contact.preload += rest.suspension_load[i];
     }
@@ -89,24 +89,22 @@ Assembled assemble(const Topology& topology, const Rest& rest, double gravity, M
 
 class SimbodyForm : public MbsForm {
  public:
-  SimbodyForm(Topology topology, Rest rest, double gravity, MbsLaw law)
-      : topology_(std::move(topology)),
-        rest_(std::move(rest)),
+  SimbodyForm(const CompiledModel& model, MbsLaw law)
+      : model_(model),
         law_(law),
-        assembled_(assemble(topology_, rest_, gravity, law)),
-        states_(stateChannels(topology_)),
-        outputs_(resultChannels(topology_)),
-        acceleration_(at(topology_.coordinates)),
-        model_(std::make_unique<SimbodyModel>(assembled_.assembly)) {}
+        assembled_(assemble(model_, law)),
+        acceleration_(at(model_.states.coordinates)),
+        simbody_(std::make_unique<SimbodyModel>(assembled_.assembly)) {}
 
-  int channels() const override { return assembled_.assembly.channels; }
-  const std::vector<Channel>& states() const override { return states_; }
-  const std::vector<Channel>& outputs() const override { return outputs_; }
+  int channels() const override { return model_.inputs.channels; }
+  StateLayout layout() const override { return model_.states; }
+  const std::vector<Channel>& states() const override { return model_.state_channels; }
+  const std::vector<Channel>& outputs() const override { return model_.outputs.channels(); }
 
   void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {
-    const std::size_t n = at(topology_.coordinates);
-    std::copy_n(x.begin() + topology_.coordinates, n, dx.begin());
-    model_->accelerations(x.data(), u.data(), dx.data() + n);
+    const std::size_t n = at(model_.states.coordinates);
+    std::copy_n(x.begin() + model_.states.rate(0), n, dx.begin());
+    simbody_->accelerations(x.data(), u.data(), dx.data() + n);
   }
 
   void output(std::span<const double> x, std::span<const double> u, std::span<double> y) const override;
@@ -118,60 +116,60 @@ class SimbodyForm : public MbsForm {
   double wheelLoad(std::size_t wheelset, double rail_acceleration) const;
   void requireNumbers(double t, std::span<const double> x) const;
 
-  Topology topology_;
-  Rest rest_;
+  CompiledModel model_;
   MbsLaw law_;
   Assembled assembled_;
-  std::vector<Channel> states_;
-  std::vector<Channel> outputs_;
   mutable std::vector<double> acceleration_;  // [m/s^2, rad/s^2] (N) scratch
-  std::unique_ptr<SimbodyModel> model_;       // scratch behind const: why one object serves one thread
+  std::unique_ptr<SimbodyModel> simbody_;     // scratch behind const: why one object serves one thread
 };
 
 /// [N] Q0 - what the links above pull (or the contact itself), plus m eta'' of a mass that follows the rail.
 double SimbodyForm::wheelLoad(std::size_t wheelset, double rail_acceleration) const {
-  const double static_load = rest_.wheel_load[wheelset];
-  if (assembled_.wheel_contact[wheelset] >= 0) return static_load - model_->force(assembled_.wheel_contact[wheelset]);
+  const double static_load = model_.rest.wheel_load[wheelset];
+  if (assembled_.wheel_contact[wheelset] >= 0) return static_load - simbody_->force(assembled_.wheel_contact[wheelset]);
   double pull = 0.0;
-  for (std::size_t i = 0; i < topology_.suspensions.size(); ++i) {
-    if (topology_.suspensions[i].lower_wheelset == static_cast<int>(wheelset)) {
-      pull += model_->force(static_cast<int>(i));
+  for (std::size_t i = 0; i < model_.topology.suspensions.size(); ++i) {
+    if (model_.topology.suspensions[i].lower_wheelset == static_cast<int>(wheelset)) {
+      pull += simbody_->force(static_cast<int>(i));
     }
   }
-  return static_load - pull + topology_.wheelsets[wheelset].mass * rail_acceleration;
+  return static_load - pull + model_.topology.wheelsets[wheelset].mass * rail_acceleration;
 }
 
 void SimbodyForm::output(std::span<const double> x, std::span<const double> u, std::span<double> y) const {
-  const std::size_t n = at(topology_.coordinates), w = topology_.wheelsets.size();
-  model_->accelerations(x.data(), u.data(), acceleration_.data());
-  std::size_t column = 0;
-  const auto put = [&](double value) { y[column++] = value; };
-  const auto put_each = [&](std::span<const double> from, int z_index, int pitch_index) {
-    if (z_index >= 0) put(from[at(z_index)]);
-    if (pitch_index >= 0) put(from[at(pitch_index)]);
+  simbody_->accelerations(x.data(), u.data(), acceleration_.data());
+  const auto put = [&](PartKind part, int index, Quantity quantity, double value) {
+    y[at(model_.outputs.column(part, index, quantity))] = value;
   };
-  for (const TopologyBody& body : topology_.bodies) {
-    put_each(x.first(n), body.z_index, body.pitch_index);
-    put_each(x.subspan(n, n), body.z_index, body.pitch_index);
-    put_each(acceleration_, body.z_index, body.pitch_index);
+  const auto putHeight = [&](PartKind part, int index, int z) {
+    if (z < 0) return;
+    put(part, index, Quantity::kZ, x[at(z)]);
+    put(part, index, Quantity::kZRate, x[at(model_.states.rate(z))]);
+    put(part, index, Quantity::kZAcceleration, acceleration_[at(z)]);
+  };
+  for (int b = 0; b < static_cast<int>(model_.topology.bodies.size()); ++b) {
+    putHeight(PartKind::kBody, b, model_.topology.bodies[at(b)].z_index);
+    const int pitch = model_.topology.bodies[at(b)].pitch_index;
+    if (pitch < 0) continue;
+    put(PartKind::kBody, b, Quantity::kPitch, x[at(pitch)]);
+    put(PartKind::kBody, b, Quantity::kPitchRate, x[at(model_.states.rate(pitch))]);
+    put(PartKind::kBody, b, Quantity::kPitchAcceleration, acceleration_[at(pitch)]);
   }
-  for (std::size_t i = 0; i < topology_.suspensions.size(); ++i) {
-    put(model_->deflection(static_cast<int>(i)));
-    put(model_->force(static_cast<int>(i)));
+  for (int s = 0; s < static_cast<int>(model_.topology.suspensions.size()); ++s) {
+    put(PartKind::kSuspension, s, Quantity::kDeflection, simbody_->deflection(s));
+    put(PartKind::kSuspension, s, Quantity::kForce, simbody_->force(s));
   }
-  for (std::size_t j = 0; j < w; ++j) {
-    put(u[j]);
-    const int z = topology_.wheelsets[j].z_index;
-    put_each(x.first(n), z, -1);
-    put_each(x.subspan(n, n), z, -1);
-    put_each(acceleration_, z, -1);
-    put(wheelLoad(j, u[2 * w + j]));
+  for (int j = 0; j < channels(); ++j) {
+    put(PartKind::kWheelset, j, Quantity::kRailZ, u[at(j)]);
+    putHeight(PartKind::kWheelset, j, model_.topology.wheelsets[at(j)].z_index);
+    put(PartKind::kWheelset, j, Quantity::kLoad, wheelLoad(at(j), u[at(model_.inputs.acceleration(j))]));
   }
-  for (const TopologyPoint& point : topology_.points) {
-    const SimbodyMotion motion = model_->motion(point.body, point.arm);
-    put(motion.z);
-    put(motion.vz);
-    put(motion.az);
+  for (int p = 0; p < static_cast<int>(model_.topology.points.size()); ++p) {
+    const TopologyPoint& point = model_.topology.points[at(p)];
+    const SimbodyMotion motion = simbody_->motion(point.body, point.arm);
+    put(PartKind::kPoint, p, Quantity::kZ, motion.z);
+    put(PartKind::kPoint, p, Quantity::kZRate, motion.vz);
+    put(PartKind::kPoint, p, Quantity::kZAcceleration, motion.az);
   }
 }
 
@@ -179,7 +177,7 @@ std::optional<StateSpace> SimbodyForm::linear() const {
   requireDense("mbs", size());
   if (law_ != MbsLaw::kLinear) return std::nullopt;
   // f(0, 0) = 0 and f is linear, so a unit vector gives a column without a difference: exact up to rounding.
-  const Eigen::Index n = 2 * topology_.coordinates, w = channels();
+  const Eigen::Index n = model_.states.size(), w = channels();
   StateSpace made{Eigen::MatrixXd(n, n), Eigen::MatrixXd(n, 2 * w)};
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n), u = Eigen::VectorXd::Zero(2 * w), dx(n);
   const auto column = [&](Eigen::VectorXd& probed, Eigen::Index i, Eigen::MatrixXd& into) {
@@ -197,7 +195,7 @@ std::optional<StateSpace> SimbodyForm::linear() const {
 void SimbodyForm::requireNumbers(double t, std::span<const double> x) const {
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (std::isfinite(x[i])) continue;
-    throw RunFailed(fmt::format("simbody_rkm: {} is {} at t = {} s", states_[i].name, x[i], t));
+    throw RunFailed(fmt::format("simbody_rkm: {} is {} at t = {} s", states()[i].name, x[i], t));
   }
 }
 
@@ -206,9 +204,9 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
   if (!(accuracy > 0.0 && accuracy < 1.0)) {
     throw std::invalid_argument(fmt::format("simbody_rkm: accuracy = {}, must be > 0 and < 1", accuracy));
   }
-  if (x0.size() != states_.size()) {
+  if (x0.size() != states().size()) {
     throw std::invalid_argument(
-        fmt::format("simbody_rkm: the initial state has {} numbers, must be {}", x0.size(), states_.size()));
+        fmt::format("simbody_rkm: the initial state has {} numbers, must be {}", x0.size(), states().size()));
   }
   if (input.channels() != channels()) {
     throw std::invalid_argument(
@@ -231,22 +229,22 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
   std::vector<double> x(x0.begin(), x0.end());
   requireNumbers(reached, x);
   Statistics statistics;
-  simbody([&] { model_->startRun(accuracy, schedule.outputStep(), reached, x.data(), rail); });
+  simbody([&] { simbody_->startRun(accuracy, schedule.outputStep(), reached, x.data(), rail); });
   statistics.stopped = !observe(0, segment, reached, x);
   for (const Stretch stretch : schedule.stretches()) {
     if (statistics.stopped) break;
     if (stretch.segment != segment) {
       segment = stretch.segment;
-      model_->passKink();
+      simbody_->passKink();
     }
-    simbody([&] { model_->advanceTo(stretch.end); });
+    simbody([&] { simbody_->advanceTo(stretch.end); });
     reached = stretch.end;
     if (stretch.sample < 0) continue;
-    model_->readState(x.data());
+    simbody_->readState(x.data());
     requireNumbers(reached, x);
     statistics.stopped = !observe(stretch.sample, stretch.next, reached, x);
   }
-  const SimbodyCost cost = model_->cost();
+  const SimbodyCost cost = simbody_->cost();
   statistics.steps = cost.steps;
   statistics.evaluations = cost.evaluations;
   statistics.rejected = cost.rejected;
@@ -255,10 +253,8 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
 
 }  // namespace
 
-std::unique_ptr<MbsForm> buildMbsForm(const Vehicle& vehicle, double gravity, MbsLaw law) {
-  Topology topology = topologyOf(vehicle);
-  Rest rest = restOf(topology, gravity);
-  return std::make_unique<SimbodyForm>(std::move(topology), std::move(rest), gravity, law);
+std::unique_ptr<MbsForm> buildMbsForm(const CompiledModel& model, MbsLaw law) {
+  return std::make_unique<SimbodyForm>(model, law);
 }
 
 }  // namespace vehicle

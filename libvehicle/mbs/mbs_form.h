@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/input.h"
 #include "libvehicle/system/schedule.h"
 #include "libvehicle/system/system.h"
@@ -39,8 +39,6 @@ class MbsForm : public System {
                                 std::span<const double> x0, const Observer& observe) const = 0;
 };
 
-/// @param gravity  [m/s^2] >= 0
-/// @throws InvalidInput if the vehicle contradicts itself or cannot carry its weight
-[[nodiscard]] std::unique_ptr<MbsForm> buildMbsForm(const Vehicle& vehicle, double gravity, MbsLaw law);
+[[nodiscard]] std::unique_ptr<MbsForm> buildMbsForm(const CompiledModel& model, MbsLaw law);
 
 }  // namespace vehicle

@@ -93,8 +93,9 @@ class Links : public SimTK::Force::Custom::Implementation {
     const bool linear = assembly_.geometry == SimbodyGeometry::kLinear;
     double energy = 0.0;
     for (const SimbodyLink& link : assembly_.links) {
-      const double d = linkState(state, link).deflection;
-      energy += 0.5 * link.stiffness * d * d - (linear ? 0.0 : link.preload * d);
+      LawPoint at;
+      at.elongation = linkState(state, link).deflection;
+      energy += link.law->storedEnergy(at) - (linear ? 0.0 : link.preload * at.elongation);
     }
     for (const PlacedBody& placed : bodies_) {
       if (!linear || placed.pitch_slot < 0) continue;
@@ -136,7 +137,10 @@ class Links : public SimTK::Force::Custom::Implementation {
     LinkState now;
     now.deflection = upper.z - lower.z;
     now.rate = upper.vz - lower.vz;
-    now.force = link.stiffness * now.deflection + link.damping * now.rate;
+    LawPoint at;
+    at.elongation = now.deflection;
+    at.rate = now.rate;
+    now.force = link.law->force(at);
     return now;
   }
 

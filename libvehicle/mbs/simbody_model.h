@@ -4,8 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "libvehicle/law/suspension_law.h"
+
 // The seam between this library (C++20) and Simbody, whose headers are C++17 at most: plain std types only, and
-// nothing of another room, because simbody_model.cc must compile as C++17.
+// of other rooms the laws alone, which are C++17 too, because simbody_model.cc must compile as C++17.
 namespace vehicle {
 
 /// A rigid body that moves in the vertical plane, in z, pitch, both or neither.
@@ -27,11 +29,10 @@ struct SimbodyEnd {
   double height = 0.0;  // [m] above the body's centre of gravity
 };
 
-/// A vertical spring and damper: a suspension or a wheel-rail contact.
-/// Tension [N]:  -preload + k d + c d'  with d [m] the elongation from rest; it pulls the two ends together.
+/// A vertical force element: a suspension or a wheel-rail contact.
+/// Tension [N]:  -preload + f(d, d')  with d [m] the elongation from rest; it pulls the two ends together.
 struct SimbodyLink {
-  double stiffness = 0.0;  // k [N/m]
-  double damping = 0.0;    // c [N s/m]
+  SuspensionLawPtr law;    // f
   double preload = 0.0;    // [N] compression at rest; kLinear leaves it out, as gravity
   SimbodyEnd upper;
   SimbodyEnd lower;

@@ -3,12 +3,12 @@
 #include <utility>
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/project/study_work.h"
 #include "libvehicle/project/suite_work.h"
 #include "libvehicle/project/together.h"
 #include "libvehicle/simulate/file_warnings.h"
-#include "libvehicle/statics/rest.h"
 #include "libvehicle/study/study_warnings.h"
 #include "libvehicle/xml/reader.h"
 
@@ -29,11 +29,15 @@ ProblemList restProblems(const Vehicle& draft) {
   return {};
 }
 
-CheckedFile checkVehicle(const std::string& path, FileKind kind, FileSource& files) {
+CheckedFile checkVehicle(const std::string& path, FileKind kind, FileSource& files, Settings& settings) {
   CheckedFile checked;
   Outcome<Vehicle> read = readVehicle(path, files);
   checked.problems = std::move(read.problems);
   std::vector<Vehicle> drafts = draftVehicles(path, files);
+  if (read.value && !settings.empty()) {
+    settings.apply(*read.value);
+    drafts = {*read.value};
+  }
   for (const Vehicle& draft : drafts) checked.problems.append(restProblems(draft));
   checked.problems.sortByPlace();
   checked.vehicle = std::move(read.value);
@@ -42,36 +46,38 @@ CheckedFile checkVehicle(const std::string& path, FileKind kind, FileSource& fil
     if (kind == FileKind::kVehicle && !drafts.empty()) checked.vehicle = std::move(drafts.front());
     return checked;
   }
-  checked.warnings = fileWarnings(*checked.vehicle, kGravity);
+  checked.warnings = fileWarnings(compileChecked(*checked.vehicle, kGravity));
   checked.notes = notesOn(*checked.vehicle);
   return checked;
 }
 
-CheckedFile checkScenario(const std::string& path, FileSource& files) {
+CheckedFile checkScenario(const std::string& path, FileSource& files, Settings& settings) {
   CheckedFile checked;
   Outcome<Scenario> draft = draftScenario(path, files);
   checked.problems = std::move(draft.problems);
   checked.scenario = std::move(draft.value);
-  if (checked.problems.empty()) checked.notes = notesOn(*checked.scenario);
+  if (!checked.problems.empty()) return checked;
+  settings.apply(*checked.scenario);
+  checked.notes = notesOn(*checked.scenario);
   return checked;
 }
 
-CheckedFile checkSuite(const std::string& path, FileSource& files) {
+CheckedFile checkSuite(const std::string& path, FileSource& files, Settings& settings) {
   CheckedFile checked;
-  const Outcome<SuiteWork> work = readSuiteWork(path, {}, files);
+  const Outcome<SuiteWork> work = readSuiteWork(path, {}, files, settings);
   checked.problems = work.problems;
   if (!work.value) return checked;
   checked.warnings = unjudgedOf(*work.value);
   for (const Vehicle& each : work.value->vehicles) {
-    const Warnings found = fileWarnings(each, kGravity);
+    const Warnings found = fileWarnings(compileChecked(each, kGravity));
     checked.warnings.insert(checked.warnings.end(), found.begin(), found.end());
   }
   return checked;
 }
 
-CheckedFile checkStudy(const std::string& path, FileSource& files) {
+CheckedFile checkStudy(const std::string& path, FileSource& files, Settings& settings) {
   CheckedFile checked;
-  const Outcome<StudyWork> work = readStudyWork(path, files);
+  const Outcome<StudyWork> work = readStudyWork(path, files, settings);
   checked.problems = work.value ? checkBeforeFirstDesign(*work.value, path) : work.problems;
   if (checked.problems.empty()) checked.warnings = warningsBefore(work.value->inputs);
   return checked;
@@ -80,18 +86,23 @@ CheckedFile checkStudy(const std::string& path, FileSource& files) {
 }  // namespace
 
 CheckedFile checkFile(const std::string& path, FileSource& files) {
+  Settings none;
+  return checkFile(path, files, none);
+}
+
+CheckedFile checkFile(const std::string& path, FileSource& files, Settings& settings) {
   const Outcome<FileKind> kind = kindOf(path, files);
   if (!kind.value) return {.problems = kind.problems};
   switch (*kind.value) {
     case FileKind::kVehicle:
     case FileKind::kTrain:
-      return checkVehicle(path, *kind.value, files);
+      return checkVehicle(path, *kind.value, files, settings);
     case FileKind::kScenario:
-      return checkScenario(path, files);
+      return checkScenario(path, files, settings);
     case FileKind::kSuite:
-      return checkSuite(path, files);
+      return checkSuite(path, files, settings);
     case FileKind::kStudy:
-      return checkStudy(path, files);
+      return checkStudy(path, files, settings);
   }
   return {};
 }

@@ -8,6 +8,7 @@
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/warning.h"
+#include "libvehicle/project/settings.h"
 #include "libvehicle/xml/file_source.h"
 
 namespace vehicle {
@@ -25,6 +26,8 @@ struct CheckedFile {
 /// it computes: `study` before the first design, `validate` before the first run, `info`, `modes` and `simulate` before
 /// they build equations. The same functions decide there.
 /// All problems come in one pass: what is wrong with one part keeps no other from being judged.
+/// @param settings  are applied to what has been read without problems; the caller asks requireRight() after all files
+[[nodiscard]] CheckedFile checkFile(const std::string& path, FileSource& files, Settings& settings);
 [[nodiscard]] CheckedFile checkFile(const std::string& path, FileSource& files);
 
 /// What is wrong with a scenario beside a vehicle, both from checkFile(): checkTogether() of two files without problems;

@@ -12,6 +12,7 @@ std::optional<Vehicle> NamedFiles::vehicle(const FileReference& reference) {
   if (!here.empty()) return std::nullopt;
   Outcome<Vehicle> read = readVehicle(resolvePath(reference.origin.file, reference.file), files_);
   problems_.append(read.problems);
+  if (read.value) settings_.apply(*read.value);
   return std::move(read.value);
 }
 
@@ -22,6 +23,7 @@ std::optional<Scenario> NamedFiles::scenario(const FileReference& reference) {
   if (!here.empty()) return std::nullopt;
   Outcome<Scenario> read = readScenario(resolvePath(reference.origin.file, reference.file), files_);
   problems_.append(read.problems);
+  if (read.value) settings_.apply(*read.value);
   return std::move(read.value);
 }
 

@@ -8,6 +8,7 @@
 #include "libvehicle/definition/suite.h"
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/project/settings.h"
 #include "libvehicle/xml/file_source.h"
 
 namespace vehicle {
@@ -18,8 +19,10 @@ namespace vehicle {
 class NamedFiles {
  public:
   /// @param holder  element that names them: "suite"
-  /// @param files   outlives the object
-  NamedFiles(std::string holder, FileSource& files) : holder_(std::move(holder)), files_(files) {}
+  /// @param files     outlives the object
+  /// @param settings  are applied to what has been read; outlive the object
+  NamedFiles(std::string holder, FileSource& files, Settings& settings)
+      : holder_(std::move(holder)), files_(files), settings_(settings) {}
 
   /// A vehicle, or a train as one vehicle.
   [[nodiscard]] std::optional<Vehicle> vehicle(const FileReference& reference);
@@ -30,6 +33,7 @@ class NamedFiles {
  private:
   std::string holder_;
   FileSource& files_;
+  Settings& settings_;
   ProblemList problems_;
 };
 

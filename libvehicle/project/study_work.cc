@@ -92,10 +92,15 @@ std::vector<InputFile> textsOf(const std::string& file, const Study& study, cons
 }  // namespace
 
 Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files) {
+  Settings none;
+  return readStudyWork(file, files, none);
+}
+
+Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files, Settings& settings) {
   Outcome<Study> study = draftStudy(file, files);
   if (!study.value) return {std::nullopt, std::move(study.problems)};
 
-  NamedFiles named("study", files);
+  NamedFiles named("study", files, settings);
   std::optional<Vehicle> vehicle = named.vehicle(study.value->vehicle);
   StudyInputs inputs;
   for (const FileReference& each : study.value->scenarios) {
@@ -107,6 +112,9 @@ Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files) {
   // Names can be looked up only in files that are in order.
   if (!vehicle || inputs.scenarios.size() != study.value->scenarios.size()) return {std::nullopt, std::move(problems)};
 
+  if (std::any_of(study.value->varies.begin(), study.value->varies.end(), givesSpeeds)) {
+    settings.refuse("speed", "has no effect: the study gives the speeds itself", "omit it, or change its <vary>");
+  }
   for (const Scenario& each : inputs.scenarios) problems.append(check(each, *vehicle));
   // What is wrong by itself is reported already; the rest is held against the vehicle all the same.
   const Study sound = soundPartOf(*study.value, study.problems);
@@ -127,10 +135,11 @@ Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files) {
   std::optional<Train> train;
   if (!vehicle->units.empty()) train = readTrain(resolvePath(file, study.value->vehicle.file), files).orThrow();
   std::vector<InputFile> texts = textsOf(file, *study.value, train, files);
+  for (InputFile& each : keptSettings(settings)) texts.push_back(std::move(each));
   inputs.study = std::move(*study.value);
   inputs.vehicle = std::move(*vehicle);
   inputs.bound = std::move(*bound.value);
-  return {StudyWork{std::move(inputs), std::move(train), std::move(*plan.value), std::move(texts)}, {}};
+  return {StudyWork{std::move(inputs), std::move(train), std::move(*plan.value), std::move(texts), settings.all()}, {}};
 }
 
 StudyWork restoreStudyWork(const StudyRecord& record) {
@@ -138,7 +147,10 @@ StudyWork restoreStudyWork(const StudyRecord& record) {
   std::map<std::string, std::string> texts;
   for (const InputFile& each : record.inputs) texts.emplace(each.name, each.text);
   FileSource kept(texts);
-  return readStudyWork(record.inputs.front().name, kept).orThrow();
+  Settings settings = settingsIn(record.inputs);
+  StudyWork work = readStudyWork(record.inputs.front().name, kept, settings).orThrow();
+  settings.requireRight();
+  return work;
 }
 
 ProblemList checkBeforeFirstDesign(const StudyWork& work, const std::string& file) {
@@ -163,7 +175,7 @@ ProblemList checkBeforeFirstDesign(const StudyWork& work, const std::string& fil
 ProblemList asSeenFromHere(const ProblemList& problems, const std::string& study_file) {
   ProblemList seen;
   for (Problem problem : problems) {
-    if (!problem.place.file.empty()) {
+    if (!problem.place.file.empty() && problem.place.file != kSettingsName) {
       problem.place.file = (fs::path(study_file).parent_path() / problem.place.file).lexically_normal().string();
     }
     seen.add(std::move(problem));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libvehicle/definition/train.h"
+#include "libvehicle/project/settings.h"
 #include "libvehicle/storage/study_record.h"
 #include "libvehicle/study/plan/design_plan.h"
 #include "libvehicle/study/study_inputs.h"
@@ -17,11 +18,15 @@ struct StudyWork {
   StudyInputs inputs;
   std::optional<Train> train;  // as its file says it, where the study's vehicle is one
   DesignPlan plan;
-  std::vector<InputFile> texts;  // named as they lie about the study's file: "study.xml", "../vehicles/coach.xml"
+  std::vector<InputFile> texts;   // named as they lie about the study's file: "study.xml", "../vehicles/coach.xml";
+                                  // the last one may be kSettingsName
+  std::vector<Setting> settings;  // that take the place of values of vehicle and scenarios
 };
 
 /// Reads a study and all files that it names: vehicle or train, scenarios, list of designs. Problems of all files are
 /// reported together.
+/// @param settings  are applied to vehicle and scenarios before the study is bound; the caller asks requireRight()
+[[nodiscard]] Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files, Settings& settings);
 [[nodiscard]] Outcome<StudyWork> readStudyWork(const std::string& file, FileSource& files);
 
 /// The same from the files that a database keeps of its study; nothing is read from disk.

@@ -48,7 +48,7 @@ std::vector<ValidationCase> outermostCases(const SuiteWork& work) {
 
 /// Why nothing of a case is judged; empty if something is.
 std::string whyNothing(const SuiteWork& work, const ValidationCase& each) {
-  const ValidationPlan plan = validationPlanOf(work.vehicles[each.vehicle], work.scenarios[each.scenario], work.choice);
+  const ValidationPlan plan = validationPlanOf(modelOf(work, each), work.choice);
   if (judgesAnything(plan)) return {};
   std::string why;
   for (const Misfit& misfit : plan.misfits) {
@@ -80,8 +80,9 @@ ProblemList checkCases(const SuiteWork& work) {
     const ProblemList together = checkTogether(vehicle, scenario, speedOf(each, work));
     for (const Problem& problem : together) add(problem);
     if (!together.empty()) continue;
-    const ValidationPlan plan = validationPlanOf(vehicle, scenario, work.choice);
-    const std::string refusal = caseRefusal(plan, vehicle, scenario, speedOf(each, work));
+    const CompiledModel model = modelOf(work, each);
+    const ValidationPlan plan = validationPlanOf(model, work.choice);
+    const std::string refusal = caseRefusal(plan, model, scenario, speedOf(each, work));
     if (!refusal.empty()) add({scenario.run.origin, "<scenario><run>", vehicle.name + ": " + refusal, ""});
   }
   return problems;

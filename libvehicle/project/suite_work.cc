@@ -23,17 +23,30 @@ std::vector<ValidationCase> atSpeeds(const std::vector<double>& speeds, const st
 
 }  // namespace
 
+CompiledModel modelOf(const SuiteWork& work, const ValidationCase& of) {
+  return compileChecked(work.vehicles[of.vehicle], work.scenarios[of.scenario].gravity);
+}
+
 Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice, FileSource& files) {
+  Settings none;
+  return readSuiteWork(file, choice, files, none);
+}
+
+Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice, FileSource& files,
+                                 Settings& settings) {
   Outcome<Suite> suite = draftSuite(file, files);
   if (!suite.value) return {std::nullopt, std::move(suite.problems)};
 
   SuiteWork work;
-  NamedFiles named("suite", files);
+  NamedFiles named("suite", files, settings);
   for (const FileReference& each : suite.value->vehicles) {
     if (std::optional<Vehicle> vehicle = named.vehicle(each)) work.vehicles.push_back(std::move(*vehicle));
   }
   for (const FileReference& each : suite.value->scenarios) {
     if (std::optional<Scenario> scenario = named.scenario(each)) work.scenarios.push_back(std::move(*scenario));
+  }
+  if (!suite.value->speeds.empty()) {
+    settings.refuse("speed", "has no effect: the suite gives the speeds itself", "omit it, or give --speed");
   }
   ProblemList problems = suite.problems;
   problems.append(named.problems());

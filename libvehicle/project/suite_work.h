@@ -5,6 +5,7 @@
 
 #include "libvehicle/definition/suite.h"
 #include "libvehicle/diagnostics/warning.h"
+#include "libvehicle/project/settings.h"
 #include "libvehicle/validation/validation.h"
 #include "libvehicle/xml/file_source.h"
 
@@ -19,9 +20,15 @@ struct SuiteWork {
   ValidationChoice choice;
 };
 
+/// The vehicle of that case under the gravity of its scenario.
+[[nodiscard]] CompiledModel modelOf(const SuiteWork& work, const ValidationCase& of);
+
 /// Reads a suite and all files that it names. Problems of all of them are reported together: unknown forms and methods,
 /// vehicles that cannot run over a scenario at one of the speeds, cases whose histories would not fit in memory.
-/// @param choice  forms and methods of the command line take the place of the suite's; its speeds that of all
+/// @param choice    forms and methods of the command line take the place of the suite's; its speeds that of all
+/// @param settings  are applied to each vehicle and scenario that has what they name; the caller asks requireRight()
+[[nodiscard]] Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice,
+                                               FileSource& files, Settings& settings);
 [[nodiscard]] Outcome<SuiteWork> readSuiteWork(const std::string& file, const ValidationChoice& choice,
                                                FileSource& files);
 

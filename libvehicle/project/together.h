@@ -3,6 +3,7 @@
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/model/compiled_model.h"
 
 namespace vehicle {
 
@@ -16,5 +17,7 @@ namespace vehicle {
 /// @param vehicle, scenario  in order by their own check()
 /// @param speed  [m/s] the scenario's own, or another one that it is run at
 [[nodiscard]] ProblemList checkTogether(const Vehicle& vehicle, const Scenario& scenario, double speed);
+/// The same of a vehicle that is compiled under the scenario's gravity.
+[[nodiscard]] ProblemList checkTogether(const CompiledModel& model, const Scenario& scenario, double speed);
 
 }  // namespace vehicle

@@ -5,9 +5,9 @@
 
 #include "libvehicle/linear/motion_rates.h"
 #include "libvehicle/matrix/matrix_form.h"
+#include "libvehicle/model/geometry_warnings.h"
+#include "libvehicle/model/rest.h"
 #include "libvehicle/simulate/vehicle_warnings.h"
-#include "libvehicle/statics/rest.h"
-#include "libvehicle/statics/geometry_warnings.h"
 
 namespace vehicle {
 
@@ -27,16 +27,14 @@ bool isSaid(const Warning& warning, const Warnings& others) {
 
 }  // namespace
 
-Warnings fileWarnings(const Vehicle& vehicle, double gravity) {
-  const Topology topology = topologyOf(vehicle);
-  const Rest rest = restOf(topology, gravity);
-  Warnings warnings = geometryWarnings(vehicle, topology, rest);
-  for (Warning& each : restWarnings(topology, rest, gravity)) {
+Warnings fileWarnings(const CompiledModel& model) {
+  Warnings warnings = geometryWarnings(model.vehicle, model.topology, model.rest);
+  for (Warning& each : restWarnings(model)) {
     if (!isSaid(each, warnings)) warnings.push_back(std::move(each));
   }
   const bool stands = std::none_of(warnings.begin(), warnings.end(),
                                    [](const Warning& each) { return each.code == WarningCode::kCannotStand; });
-  const Warnings moving = motionWarnings(MotionRates(*buildMatrixForm(vehicle, gravity)), stands);
+  const Warnings moving = motionWarnings(MotionRates(*buildMatrixForm(model)), stands);
   warnings.insert(warnings.end(), moving.begin(), moving.end());
   return warnings;
 }

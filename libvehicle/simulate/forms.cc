@@ -19,33 +19,30 @@ struct FormEntry {
   std::string name;
   Kind kind;
   Family family;
-  ProblemList (*misfits)(const Vehicle&);
-  std::unique_ptr<System> (*build)(const Vehicle&, double gravity);
+  ProblemList (*misfits)(const Topology&);
+  std::unique_ptr<System> (*build)(const CompiledModel&);
 };
+
+ProblemList nothing(const Topology& /*topology*/) { return {}; }  // of a form that takes any vehicle
 
 template <FlatVariant variant>
 FormEntry printedEntry(const char* name) {
-  return {name, Kind::kLinear, Family::kPrinted, [](const Vehicle& vehicle) { return flatMisfits(vehicle, variant); },
-          [](const Vehicle& vehicle, double gravity) -> std::unique_ptr<System> {
-            return buildFlatForm(vehicle, gravity, variant);
-          }};
+  return {name, Kind::kLinear, Family::kPrinted,
+          [](const Topology& topology) { return flatMisfits(topology, variant); },
+          [](const CompiledModel& model) -> std::unique_ptr<System> { return buildFlatForm(model, variant); }};
 }
 
 template <MbsLaw law>
 FormEntry mbsEntry(const char* name, Kind kind) {
-  return {name, kind, Family::kSimbody, [](const Vehicle& vehicle) { return check(vehicle); },
-          [](const Vehicle& vehicle, double gravity) -> std::unique_ptr<System> {
-            return buildMbsForm(vehicle, gravity, law);
-          }};
+  return {name, kind, Family::kSimbody, nothing,
+          [](const CompiledModel& model) -> std::unique_ptr<System> { return buildMbsForm(model, law); }};
 }
 
 const std::vector<FormEntry>& entries() {
   static const std::vector<FormEntry> table = {
       {"flat", Kind::kLinear, Family::kEquations, flatSystemMisfits, buildFlatSystem},
-      {"matrix", Kind::kLinear, Family::kEquations, [](const Vehicle& vehicle) { return check(vehicle); },
-       [](const Vehicle& vehicle, double gravity) -> std::unique_ptr<System> {
-         return buildMatrixForm(vehicle, gravity);
-       }},
+      {"matrix", Kind::kLinear, Family::kEquations, nothing,
+       [](const CompiledModel& model) -> std::unique_ptr<System> { return buildMatrixForm(model); }},
       mbsEntry<MbsLaw::kLinear>("mbs-linear", Kind::kLinear),
       mbsEntry<MbsLaw::kTrue>("mbs", Kind::kNonlinear),
       printedEntry<FlatVariant::kPrinted7>("flat-7-printed"),
@@ -73,15 +70,15 @@ const std::vector<std::string>& formNames() {
   return names;
 }
 
-ProblemList formMisfits(const std::string& form, const Vehicle& vehicle) { return entryOf(form).misfits(vehicle); }
+ProblemList formMisfits(const std::string& form, const Topology& topology) { return entryOf(form).misfits(topology); }
 bool isLinearForm(const std::string& form) { return entryOf(form).kind == Kind::kLinear; }
 bool isSimbodyForm(const std::string& form) { return entryOf(form).family == Family::kSimbody; }
 bool isPrintedVariant(const std::string& form) { return entryOf(form).family == Family::kPrinted; }
 
-std::string defaultForm(const Vehicle& vehicle) { return formMisfits("flat", vehicle).empty() ? "flat" : "matrix"; }
+std::string defaultForm(const Topology& topology) { return formMisfits("flat", topology).empty() ? "flat" : "matrix"; }
 
-std::unique_ptr<System> buildForm(const std::string& form, const Vehicle& vehicle, double gravity) {
-  return entryOf(form).build(vehicle, gravity);  // each builder throws its own misfits
+std::unique_ptr<System> buildForm(const std::string& form, const CompiledModel& model) {
+  return entryOf(form).build(model);  // each builder throws what speaks against the form
 }
 
 }  // namespace vehicle

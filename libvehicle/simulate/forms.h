@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/system.h"
 
 namespace vehicle {
@@ -14,7 +15,7 @@ namespace vehicle {
 
 /// Why this form cannot represent the vehicle, one problem an element; empty if it can.
 /// @throws std::invalid_argument for a form that does not exist, naming the nearest one
-[[nodiscard]] ProblemList formMisfits(const std::string& form, const Vehicle& vehicle);
+[[nodiscard]] ProblemList formMisfits(const std::string& form, const Topology& topology);
 
 /// Whether the form's x' = f(x, u) is linear, so that matrices, modes and the exact method exist.
 [[nodiscard]] bool isLinearForm(const std::string& form);
@@ -24,9 +25,9 @@ namespace vehicle {
 [[nodiscard]] bool isPrintedVariant(const std::string& form);
 
 /// The form that is taken where none is named: flat where it fits, else matrix.
-[[nodiscard]] std::string defaultForm(const Vehicle& vehicle);
+[[nodiscard]] std::string defaultForm(const Topology& topology);
 
 /// @throws InvalidInput with formMisfits()
-[[nodiscard]] std::unique_ptr<System> buildForm(const std::string& form, const Vehicle& vehicle, double gravity);
+[[nodiscard]] std::unique_ptr<System> buildForm(const std::string& form, const CompiledModel& model);
 
 }  // namespace vehicle

@@ -64,12 +64,12 @@ void addTo(std::vector<double>& x, const System& system, const std::string& name
 
 }  // namespace
 
-std::vector<double> initialState(const System& system, const Vehicle& vehicle, const Scenario& scenario,
+std::vector<double> initialState(const System& system, const CompiledModel& model, const Scenario& scenario,
                                  const Input& input) {
   std::vector<double> x(static_cast<std::size_t>(system.size()), 0.0);
   if (scenario.initial_state.from != InitialRest::kZero) {
     std::optional<StateSpace> matrices = system.linear();
-    if (!matrices) matrices = buildMatrixForm(vehicle, scenario.gravity)->linear();
+    if (!matrices) matrices = buildMatrixForm(model)->linear();
     const Eigen::VectorXd rest = restState(*matrices, scenario, input);
     std::copy(rest.begin(), rest.end(), x.begin());
   }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/input.h"
 #include "libvehicle/system/system.h"
 
@@ -16,7 +16,7 @@ namespace vehicle {
 /// form, which are its linearisation about rest (difference ~ amplitude^2).
 /// @throws InvalidInput if there is no such rest (nothing holds a coordinate) or no steady state (an undamped
 ///         mode at resonance), at the place of <initial_state>
-[[nodiscard]] std::vector<double> initialState(const System& system, const Vehicle& vehicle, const Scenario& scenario,
-                                               const Input& input);
+[[nodiscard]] std::vector<double> initialState(const System& system, const CompiledModel& model,
+                                               const Scenario& scenario, const Input& input);
 
 }  // namespace vehicle

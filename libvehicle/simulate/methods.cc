@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/flat/flat_split.h"
 #include "libvehicle/flat/flat_train.h"
@@ -49,10 +48,10 @@ std::string methodMisfit(const std::string& method, const std::string& form) {
   throw std::invalid_argument(unknownName("method", method, methodNames()));
 }
 
-std::string methodMisfit(const std::string& method, const std::string& form, const Vehicle& vehicle, double gravity) {
+std::string methodMisfit(const std::string& method, const std::string& form, const CompiledModel& model) {
   if (std::string misfit = methodMisfit(method, form); !misfit.empty()) return misfit;
-  if (!isSplitMethod(method) || !formMisfits(form, vehicle).empty()) return {};
-  return splitMethodMisfit(method, *buildFlatSystem(vehicle, gravity));
+  if (!isSplitMethod(method) || !formMisfits(form, model.topology).empty()) return {};
+  return splitMethodMisfit(method, *buildFlatSystem(model));
 }
 
 std::string splitMethodMisfit(const std::string& method, const System& form) {
@@ -78,8 +77,8 @@ std::string defaultMethod(const std::string& form, int states) {
   return isLinearForm(form) && states <= kMostExactStates ? "exact" : "dopri5";
 }
 
-std::string defaultMethod(const std::string& form, const Vehicle& vehicle) {
-  return defaultMethod(form, 2 * topologyOf(vehicle).coordinates);
+std::string defaultMethod(const std::string& form, const Topology& topology) {
+  return defaultMethod(form, StateLayout{.coordinates = topology.coordinates}.size());
 }
 
 Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,

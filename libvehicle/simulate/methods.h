@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/definition/vehicle.h"
 #include "libvehicle/integrate/run.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/system.h"
 
 namespace vehicle {
@@ -26,8 +26,7 @@ namespace vehicle {
 [[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form);
 /// The same for one vehicle: rk4_split and exact_split need one that bounces and pitches apart. Empty where the form
 /// itself does not fit the vehicle: that is formMisfits()'.
-[[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form, const Vehicle& vehicle,
-                                       double gravity);
+[[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form, const CompiledModel& model);
 
 /// Most states that exact is taken for where no method is named. Its work grows with their cube, and with the kinks of
 /// the rail under every wheel: a train of more than eight flat vehicles is run by dopri5 sooner.
@@ -37,7 +36,7 @@ inline constexpr int kMostExactStates = 64;
 /// @param states  of the form
 [[nodiscard]] std::string defaultMethod(const std::string& form, int states);
 /// The same for that vehicle or train.
-[[nodiscard]] std::string defaultMethod(const std::string& form, const Vehicle& vehicle);
+[[nodiscard]] std::string defaultMethod(const std::string& form, const Topology& topology);
 
 /// The settings of all methods; each reads its own.
 struct MethodSettings {

@@ -126,24 +126,23 @@ long stepsIn(const Input& input, double period) {
 
 }  // namespace
 
-RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice, double period,
-                             const Progress& progress) {
-  requireRight(vehicle, scenario);
+RealtimeRun simulateRealtime(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
+                             double period, const Progress& progress) {
+  requireRunnable(model, scenario);
   if (!(period >= 1e-6 && period <= 3600.0)) {
     throw std::invalid_argument(fmt::format("realtime: period = {} s, must be between 1e-6 s and 3600 s", period));
   }
   RealtimeRun run;
-  run.form = choice.form.empty() ? defaultForm(vehicle) : choice.form;
+  run.form = choice.form.empty() ? defaultForm(model.topology) : choice.form;
   run.speed = choice.speed.value_or(scenario.run.speed);
-  const std::unique_ptr<System> system = buildForm(run.form, vehicle, scenario.gravity);
-  const Input input = inputOf(scenario, topologyOf(vehicle), run.speed);
+  const std::unique_ptr<System> system = buildForm(run.form, model);
+  const Input input = inputOf(scenario, model.topology, run.speed);
   run.steps = stepsIn(input, period);
-  const MotionRates rates =
-      isLinearForm(run.form) ? MotionRates(*system) : MotionRates(*buildMatrixForm(vehicle, scenario.gravity));
+  const MotionRates rates = isLinearForm(run.form) ? MotionRates(*system) : MotionRates(*buildMatrixForm(model));
   if (auto warning = stepWarning(period, input.end() - input.begin(), rates, "--realtime")) {
     run.warnings.push_back(std::move(*warning));
   }
-  const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
+  const std::vector<double> x0 = initialState(*system, model, scenario, input);
 
   const int rows = static_cast<int>(std::clamp(kAhead / period, 64.0, 65536.0));
   Mailbox rail_box(6 * system->channels(), rows);

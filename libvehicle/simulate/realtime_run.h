@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/partition/team/realtime.h"
 #include "libvehicle/simulate/simulate.h"
 
@@ -29,11 +29,11 @@ struct RealtimeRun {
 /// @param choice    form and speed are read; priority and pinning of its team, too
 /// @param period    [s] 1e-6 .. 3600
 /// @param progress  asked a few hundred times a second; false ends the run after the step that is under way
-/// @throws InvalidInput           vehicle or scenario is wrong, or the form does not fit
+/// @throws InvalidInput           the scenario is wrong, alone or beside the vehicle, or the form does not fit
 /// @throws std::invalid_argument  a period that is out of range, or longer than the scenario; a form or speed that
 ///                                is wrong
 /// @throws RunFailed              a state is no longer finite
-[[nodiscard]] RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
-                                           double period, const Progress& progress = {});
+[[nodiscard]] RealtimeRun simulateRealtime(const CompiledModel& model, const Scenario& scenario,
+                                           const RunChoice& choice, double period, const Progress& progress = {});
 
 }  // namespace vehicle

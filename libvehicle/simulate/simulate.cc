@@ -17,7 +17,6 @@
 #include "libvehicle/simulate/shared_run.h"
 #include "libvehicle/simulate/thread_choice.h"
 #include "libvehicle/simulate/vehicle_warnings.h"
-#include "libvehicle/statics/rest.h"
 
 namespace vehicle {
 
@@ -90,21 +89,38 @@ bool isFollowed(const Schedule& schedule, double fastest) {
 }
 
 /// How fast the form moves; of a nonlinear one its linearisation about rest, which is the matrix form.
-MotionRates ratesOf(const std::string& form, const System& system, const Vehicle& vehicle, double gravity) {
-  return isLinearForm(form) ? MotionRates(system) : MotionRates(*buildMatrixForm(vehicle, gravity));
+MotionRates ratesOf(const std::string& form, const System& system, const CompiledModel& model) {
+  return isLinearForm(form) ? MotionRates(system) : MotionRates(*buildMatrixForm(model));
 }
 
 }  // namespace
+
+void requireRunnable(const CompiledModel& model, const Scenario& scenario) {
+  ProblemList problems = check(scenario);
+  if (problems.empty()) problems.append(check(scenario, model.vehicle));
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
+  if (model.gravity == scenario.gravity) return;
+  throw std::invalid_argument(
+      fmt::format("the model was compiled under a gravity of {} m/s^2, the scenario has {}; "
+                  "compile it under that",
+                  model.gravity, scenario.gravity));
+}
 
 RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
                    const Progress& progress) {
   checkChoice(choice);
   requireRight(vehicle, scenario);
+  return simulate(compileChecked(vehicle, scenario.gravity), scenario, choice, progress);
+}
+
+RunResult simulate(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
+                   const Progress& progress) {
+  checkChoice(choice);
+  requireRunnable(model, scenario);
 
   RunResult result;
-  result.form = choice.form.empty() ? defaultForm(vehicle) : choice.form;
-  const Topology topology = topologyOf(vehicle);
-  result.method = choice.method.empty() ? defaultMethod(result.form, 2 * topology.coordinates) : choice.method;
+  result.form = choice.form.empty() ? defaultForm(model.topology) : choice.form;
+  result.method = choice.method.empty() ? defaultMethod(result.form, model.states.size()) : choice.method;
   result.speed = choice.speed.value_or(scenario.run.speed);
   if (const std::string misfit = methodMisfit(result.method, result.form); !misfit.empty()) {
     throw std::invalid_argument(misfit);
@@ -118,13 +134,13 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
     throw std::invalid_argument(misfit);
   }
 
-  const std::unique_ptr<System> system = buildForm(result.form, vehicle, scenario.gravity);
-  const Input input = inputOf(scenario, topology, result.speed);
+  const std::unique_ptr<System> system = buildForm(result.form, model);
+  const Input input = inputOf(scenario, model.topology, result.speed);
   const bool is_fixed_step = isRk4(result.method);
   RunPlan plan;
   double fastest = 0.0;  // [rad/s]
   if (choice.measures) {
-    const MotionRates rates = ratesOf(result.form, *system, vehicle, scenario.gravity);
+    const MotionRates rates = ratesOf(result.form, *system, model);
     fastest = rates.fastest();
     plan = planOf({.fixed_step = is_fixed_step,
                    .step = choice.step,
@@ -133,8 +149,7 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
                    .duration = input.end() - input.begin(),
                    .settle = choice.settle},
                   rates);
-    const Rest rest = restOf(topology, scenario.gravity);
-    result.warnings = restWarnings(topology, rest, scenario.gravity);
+    result.warnings = restWarnings(model);
     const bool stands = std::none_of(result.warnings.begin(), result.warnings.end(),
                                      [](const Warning& each) { return each.code == WarningCode::kCannotStand; });
     append(motionWarnings(rates, stands), result.warnings);
@@ -146,7 +161,7 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   const Schedule schedule =
       choice.measures ? Schedule(input, plan.sampling) : Schedule(input, scenario.run.output_step);
   requireMemory(schedule, *system, choice.keep);
-  const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
+  const std::vector<double> x0 = initialState(*system, model, scenario, input);
   const MethodSettings settings{plan.step, {choice.relative, choice.absolute}, choice.accuracy};
   result.step = is_fixed_step ? plan.step.step : 0.0;
 
@@ -173,7 +188,7 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
   result.summaries = recorder.summaries();
   result.reached = recorder.reached();
   result.outputs = recorder.outputs();
-  append(rangeWarnings(topology, system->outputs(), result.summaries, scenario.gravity), result.warnings);
+  append(rangeWarnings(model.outputs, result.summaries, model.gravity), result.warnings);
   if (!schedule.isResolved() && !choice.step) append({coarseSamples(schedule)}, result.warnings);
   return result;
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/warning.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/partition/choose.h"
 #include "libvehicle/partition/team/team.h"
 #include "libvehicle/result/time_history.h"
@@ -60,12 +60,24 @@ struct RunResult {
   Decision decision;          // what the calibration found; its reason is empty where the choice left nothing open
 };
 
-/// One run: definition and names in, time history out.
-/// @throws InvalidInput           vehicle or scenario is wrong, or the form does not fit
+/// One run: compiled model and names in, time history out.
+/// @param model  under the scenario's gravity
+/// @throws InvalidInput           the scenario is wrong, alone or beside the vehicle, or the form does not fit
 /// @throws std::invalid_argument  form, method, speed, step, tolerance, threads, scheme or map is wrong or does
 ///                                not fit the others; the message says which
 /// @throws RunFailed              NaN, or an integrator gave up; names column and time
+[[nodiscard]] RunResult simulate(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice = {},
+                                 const Progress& progress = {});
+
+/// The same of a definition, compiled for this run.
+/// @throws InvalidInput  also if the vehicle contradicts itself or its springs cannot carry the weight; what is wrong
+///                       with vehicle and scenario is reported together
 [[nodiscard]] RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice = {},
                                  const Progress& progress = {});
+
+/// Refuses a scenario that a model cannot be run over.
+/// @throws InvalidInput           the scenario is wrong, or names parts that the vehicle does not have
+/// @throws std::invalid_argument  the model was compiled under another gravity
+void requireRunnable(const CompiledModel& model, const Scenario& scenario);
 
 }  // namespace vehicle

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/integrate/stability.h"
 #include "libvehicle/integrate/tableau.h"
@@ -71,16 +70,15 @@ std::optional<StiffRun> stiffRun(const Statistics& statistics, const FollowedMot
   return run;
 }
 
-std::string stiffnessNote(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
+std::string stiffnessNote(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
                           const RunResult& result) {
   if (result.method != "dopri5") return {};
-  const Topology topology = topologyOf(vehicle);
-  if (2 * topology.coordinates > kMostStates) return {};
+  if (model.states.size() > kMostStates) return {};
   const bool linear = isLinearForm(result.form);
-  const std::unique_ptr<System> form = buildForm(linear ? result.form : "matrix", vehicle, scenario.gravity);
+  const std::unique_ptr<System> form = buildForm(linear ? result.form : "matrix", model);
   const Eigen::VectorXcd eigenvalues = form->linear()->A.eigenvalues();
   const FollowedMotion motion{result.reached, toleranceOf(choice, *form, result),
-                              fastestOf(inputOf(scenario, topology, result.speed))};
+                              fastestOf(inputOf(scenario, model.topology, result.speed))};
   const std::optional<StiffRun> stiff =
       stiffRun(result.statistics, motion, {eigenvalues.data(), static_cast<std::size_t>(eigenvalues.size())});
   if (!stiff) return {};

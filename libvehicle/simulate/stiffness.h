@@ -35,7 +35,7 @@ struct FollowedMotion {
 /// What to say of a run by dopri5 that was stiff, with the remedy; empty where it was not, where another method ran, or
 /// where the vehicle has more states than its eigenvalues are worth (400).
 /// @param choice  that the result was run with
-[[nodiscard]] std::string stiffnessNote(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
+[[nodiscard]] std::string stiffnessNote(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
                                         const RunResult& result);
 
 }  // namespace vehicle

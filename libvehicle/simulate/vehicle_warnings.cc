@@ -10,8 +10,9 @@
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
-#include "libvehicle/definition/topology_part.h"
 #include "libvehicle/matrix/assembly.h"
+#include "libvehicle/model/laws.h"
+#include "libvehicle/model/topology_part.h"
 
 namespace vehicle {
 
@@ -42,7 +43,7 @@ std::vector<Coordinate> coordinatesOf(const Topology& topology) {
 
 /// M^-1/2 K M^-1/2: its eigenvalues are squared frequencies, its vectors weigh metres and radians alike.
 Eigen::MatrixXd normalisedStiffness(const Topology& topology, const Rest& rest) {
-  const SparseSecondOrder matrices = assemble(topology, rest);
+  const SparseSecondOrder matrices = assemble(topology, rest, lawsOf(topology));
   const auto n = static_cast<Eigen::Index>(matrices.mass.size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -156,7 +157,9 @@ Warnings eachPlaceOnce(Warnings warnings) {
 
 }  // namespace
 
-Warnings restWarnings(const Topology& topology, const Rest& rest, double gravity) {
+Warnings restWarnings(const CompiledModel& model) {
+  const Topology& topology = model.topology;
+  const Rest& rest = model.rest;
   Warnings warnings;
   // Couplings carry no load and only add stiffness: a train stands where each of its vehicles does.
   std::vector<char> cut;
@@ -170,7 +173,7 @@ Warnings restWarnings(const Topology& topology, const Rest& rest, double gravity
   } else {
     warnings = std::move(alone);
   }
-  for (const TopologyPart& part : parts) addGivenLoads(part, restOfPart(part, rest), gravity, warnings);
+  for (const TopologyPart& part : parts) addGivenLoads(part, restOfPart(part, rest), model.gravity, warnings);
   addRestDeflections(topology, rest, warnings);
   return eachPlaceOnce(std::move(warnings));
 }

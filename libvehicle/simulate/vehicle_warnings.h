@@ -1,9 +1,8 @@
 #pragma once
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/diagnostics/warning.h"
 #include "libvehicle/linear/motion_rates.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/compiled_model.h"
 
 namespace vehicle {
 
@@ -18,7 +17,7 @@ inline constexpr double kMostLoadError = 5e-3;      // of the weight: data sheet
 ///     REST_DEFLECTION  a spring comes down by more than 0.5 m
 /// Each place of a file once: what holds of one of equal vehicles of a train holds of all.
 /// Cost: an eigenvalue problem for each vehicle of a train.
-[[nodiscard]] Warnings restWarnings(const Topology& topology, const Rest& rest, double gravity);
+[[nodiscard]] Warnings restWarnings(const CompiledModel& model);
 
 /// What is doubtful of the motions of a linear form:
 ///     UNSTABLE_MODE    one grows by itself; left out where the vehicle cannot stand, which says more

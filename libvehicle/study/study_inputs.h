@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/definition/bound_study.h"
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/study.h"
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/model/bound_study.h"
 
 namespace vehicle {
 

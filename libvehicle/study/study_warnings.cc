@@ -56,7 +56,7 @@ Warning noIndex(const Plan& plan, const Influence& influence) {
 Warnings vehicleWarnings(const StudyInputs& inputs) {
   if (inputs.scenarios.empty()) return {};
   try {
-    return fileWarnings(inputs.vehicle, inputs.scenarios.front().gravity);
+    return fileWarnings(compile(inputs.vehicle, inputs.scenarios.front().gravity));
   } catch (const InvalidInput&) {
     return {};  // it has no rest position: its designs say why
   }

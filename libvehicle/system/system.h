@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "libvehicle/system/equation_set.h"
+#include "libvehicle/system/layout.h"
 #include "libvehicle/units/channel.h"
 
 namespace vehicle {
@@ -17,13 +18,14 @@ struct StateSpace {
   Eigen::MatrixXd B;  // (n x 2 w)
 };
 
-/// What a solver may ask of a model: time-invariant x' = f(x, u), state x = (q, q') of size n = 2 N.
+/// What a solver may ask of a model: time-invariant x' = f(x, u), state x = (q, q', z) as layout() has it.
 /// The input u(t) comes from outside (input.h), so that solvers can ask for it in blocks.
 class System {
  public:
   virtual ~System() = default;
 
   [[nodiscard]] virtual int channels() const = 0;                            // w, wheelsets
+  [[nodiscard]] virtual StateLayout layout() const = 0;                      // where q, q' and internal states stand
   [[nodiscard]] virtual const std::vector<Channel>& states() const = 0;      // n names and units
   [[nodiscard]] virtual const std::vector<Channel>& outputs() const = 0;     // columns of a result after `time`
   [[nodiscard]] int size() const { return static_cast<int>(states().size()); }

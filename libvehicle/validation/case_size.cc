@@ -12,31 +12,14 @@ namespace vehicle {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-std::optional<Index> columnOf(const std::vector<Channel>& columns, const std::string& name) {
-  const auto found = std::find_if(columns.begin(), columns.end(), [&](const Channel& c) { return c.name == name; });
-  if (found == columns.end()) return std::nullopt;
-  return found - columns.begin();
-}
-
-std::optional<Index> velocityOf(const std::vector<Channel>& columns, const std::string& name) {
-  for (const auto& [rate, level] : {std::pair{".az", ".vz"}, std::pair{".pitch_acc", ".pitch_rate"}}) {
-    if (!name.ends_with(rate)) continue;
-    return columnOf(columns, name.substr(0, name.size() - std::string_view(rate).size()) + level);
-  }
-  return std::nullopt;
-}
-
-CaseSize sizeOfCase(const System& system, Topology topology, Rest rest, const Input& input,
-                    const TimeHistory& reference, double output_step) {
-  CaseSize made;
-  made.topology = std::move(topology);
-  made.rest = std::move(rest);
-  made.columns = system.outputs();
+CaseSize sizeOfCase(const System& system, const CompiledModel& model, const Input& input, const TimeHistory& reference,
+                    double output_step) {
+  CaseSize made{model, {}, {}, {}, 0.0, 0.0};
   made.duration = reference.at(reference.samples() - 1, 0) - reference.at(0, 0);
   made.output_step = output_step;
   made.sensitivity = sensitivityOf(system, made.duration);
 
-  const Index outputs = static_cast<Index>(made.columns.size());
+  const Index outputs = static_cast<Index>(model.outputs.size());
   made.motion.output = VectorXd::Zero(outputs);
   for (std::size_t i = 0; i < reference.samples(); ++i) {
     const std::span<const double> row = reference.row(i);
@@ -44,15 +27,14 @@ CaseSize sizeOfCase(const System& system, Topology topology, Rest rest, const In
       made.motion.output(j) = std::max(made.motion.output(j), std::abs(row[static_cast<std::size_t>(j) + 1]));
     }
   }
-  made.motion.state = VectorXd::Zero(system.size());
+  made.motion.state = VectorXd::Zero(model.states.size());
   for (Index j = 0; j < made.motion.state.size(); ++j) {
-    const auto column = columnOf(made.columns, system.states()[static_cast<std::size_t>(j)].name);
-    if (column) made.motion.state(j) = made.motion.output(*column);
+    made.motion.state(j) = made.motion.output(model.outputs.column(model.state_keys[static_cast<std::size_t>(j)]));
   }
-  made.motion.suspension_force = VectorXd::Zero(static_cast<Index>(made.topology.suspensions.size()));
-  for (std::size_t s = 0; s < made.topology.suspensions.size(); ++s) {
-    const auto column = columnOf(made.columns, made.topology.suspensions[s].name + ".force");
-    if (column) made.motion.suspension_force(static_cast<Index>(s)) = made.motion.output(*column);
+  made.motion.suspension_force = VectorXd::Zero(static_cast<Index>(model.topology.suspensions.size()));
+  for (int s = 0; s < static_cast<int>(model.topology.suspensions.size()); ++s) {
+    const int column = model.outputs.column(PartKind::kSuspension, s, Quantity::kForce);
+    made.motion.suspension_force(s) = made.motion.output(column);
   }
 
   const Index wheels = input.channels();

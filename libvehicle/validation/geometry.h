@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "libvehicle/definition/topology.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 
 namespace vehicle {
 

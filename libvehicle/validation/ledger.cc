@@ -31,39 +31,51 @@ constexpr double kRichardson = 2.0;
 // First-order perturbation, evaluated with the peaks of the linear run: half as much again for the next order.
 constexpr double kGeometry = 1.5;
 
+Index columnOf(const CaseSize& the_case, PartKind part, std::size_t index, Quantity quantity) {
+  return the_case.model.outputs.column(part, static_cast<int>(index), quantity);
+}
+
+/// The column of velocity that an acceleration changes; -1 for other columns.
+int accelerationLevel(const CaseSize& the_case, Index column) {
+  const OutputLayout& outputs = the_case.model.outputs;
+  const Quantity quantity = outputs.keys()[static_cast<std::size_t>(column)].quantity;
+  const bool is_acceleration = quantity == Quantity::kZAcceleration || quantity == Quantity::kPitchAcceleration;
+  return is_acceleration ? outputs.levelOf(static_cast<int>(column)) : -1;
+}
+
 /// Largest effect of a disturbance of the state's rates on every column: L e, and directly where a column is an
 /// acceleration.
 VectorXd columnsOf(const CaseSize& the_case, const VectorXd& rate_disturbance) {
   const Sensitivity& sensitivity = the_case.sensitivity;
   VectorXd size = sensitivity.L * rate_disturbance;
   for (Index i = 0; i < size.size(); ++i) {
-    const auto velocity = velocityOf(the_case.columns, the_case.columns[static_cast<std::size_t>(i)].name);
-    if (velocity) size(i) += sensitivity.C.row(*velocity).cwiseAbs().dot(rate_disturbance);
+    const int level = accelerationLevel(the_case, i);
+    if (level >= 0) size(i) += sensitivity.C.row(level).cwiseAbs().dot(rate_disturbance);
   }
   return size;
 }
 
 /// Static loads and heights that a Simbody form carries through its sums, and that cancel but for rounding.
 VectorXd staticTerms(const CaseSize& the_case) {
-  const Topology& topology = the_case.topology;
-  VectorXd rate = VectorXd::Zero(2 * topology.coordinates);
+  const Topology& topology = the_case.model.topology;
+  VectorXd rate = VectorXd::Zero(the_case.model.states.size());
   const auto add = [&](int body, double arm, double force) {
     const TopologyBody& part = topology.bodies[static_cast<std::size_t>(body)];
-    if (part.z_index >= 0) rate(topology.coordinates + part.z_index) += force / part.mass;
+    if (part.z_index >= 0) rate(the_case.model.states.rate(part.z_index)) += force / part.mass;
     if (part.pitch_index >= 0)
-      rate(topology.coordinates + part.pitch_index) += std::abs(arm) * force / part.pitch_inertia;
+      rate(the_case.model.states.rate(part.pitch_index)) += std::abs(arm) * force / part.pitch_inertia;
   };
   for (std::size_t s = 0; s < topology.suspensions.size(); ++s) {
     const TopologySuspension& suspension = topology.suspensions[s];
     const TopologyBody& upper = topology.bodies[static_cast<std::size_t>(suspension.upper)];
-    const double force = std::abs(the_case.rest.suspension_load[s]) + suspension.stiffness * std::abs(upper.z);
+    const double force = std::abs(the_case.model.rest.suspension_load[s]) + suspension.stiffness * std::abs(upper.z);
     add(suspension.upper, suspension.arm_upper, force);
     if (suspension.lower_body >= 0) {
       add(suspension.lower_body, suspension.arm_lower, force);
     } else if (const TopologyWheelset& wheelset =
                    topology.wheelsets[static_cast<std::size_t>(suspension.lower_wheelset)];
                wheelset.z_index >= 0) {
-      rate(topology.coordinates + wheelset.z_index) += force / wheelset.mass;
+      rate(the_case.model.states.rate(wheelset.z_index)) += force / wheelset.mass;
     }
   }
   return rate;
@@ -77,11 +89,11 @@ VectorXd roundingOf(const CaseSize& the_case, const RunKey& run, long steps) {
   if (isExact(run.method)) {
     // A matrix exponential is good to some ulps of the whole state, not of each entry, and the same matrix acts
     // at every sample: its error is systematic.
-    const Index half = motion.state.size() / 2;
+    const Index coordinates = the_case.model.states.coordinates;
     const double h = the_case.output_step;
     const double factor = kUlp * (8.0 + 4.0 * sensitivity.fastest * h) / h;
-    rate.head(half).setConstant(factor * motion.state.head(half).maxCoeff());
-    rate.tail(half).setConstant(factor * motion.state.tail(half).maxCoeff());
+    rate.head(coordinates).setConstant(factor * motion.state.head(coordinates).maxCoeff());
+    rate.tail(coordinates).setConstant(factor * motion.state.tail(coordinates).maxCoeff());
   } else {
     const double h = steps > 0 ? the_case.duration / static_cast<double>(steps) : run.step;
     rate = 2.0 * kUlp / h * motion.state;
@@ -94,16 +106,15 @@ VectorXd roundingOf(const CaseSize& the_case, const RunKey& run, long steps) {
     const VectorXd carried = staticTerms(the_case);
     terms += carried;
     for (Index i = 0; i < sums.size(); ++i) {
-      const auto velocity = velocityOf(the_case.columns, the_case.columns[static_cast<std::size_t>(i)].name);
-      if (velocity) sums(i) += sensitivity.C.row(*velocity).cwiseAbs().dot(carried);
+      const int level = accelerationLevel(the_case, i);
+      if (level >= 0) sums(i) += sensitivity.C.row(level).cwiseAbs().dot(carried);
     }
-    for (std::size_t s = 0; s < the_case.topology.suspensions.size(); ++s) {
-      const TopologySuspension& suspension = the_case.topology.suspensions[s];
-      const double height = std::abs(the_case.topology.bodies[static_cast<std::size_t>(suspension.upper)].z);
-      if (const auto i = columnOf(the_case.columns, suspension.name + ".deflection")) sums(*i) += height;
-      if (const auto i = columnOf(the_case.columns, suspension.name + ".force")) {
-        sums(*i) += std::abs(the_case.rest.suspension_load[s]) + suspension.stiffness * height;
-      }
+    for (std::size_t s = 0; s < the_case.model.topology.suspensions.size(); ++s) {
+      const TopologySuspension& suspension = the_case.model.topology.suspensions[s];
+      const double height = std::abs(the_case.model.topology.bodies[static_cast<std::size_t>(suspension.upper)].z);
+      sums(columnOf(the_case, PartKind::kSuspension, s, Quantity::kDeflection)) += height;
+      sums(columnOf(the_case, PartKind::kSuspension, s, Quantity::kForce)) +=
+          std::abs(the_case.model.rest.suspension_load[s]) + suspension.stiffness * height;
     }
   }
   rate += 4.0 * kUlp * terms;
@@ -116,12 +127,12 @@ VectorXd stepTolerance(const CaseSize& the_case, const RunKey& run) {
   if (run.method == "dopri5") return (run.relative * state.array() + run.absolute).matrix();
   // Simbody holds displacements of unit scale, smaller ones to the absolute value, and velocities to the same times
   // the coordinate's own angular frequency.
-  const Index half = state.size() / 2;
+  const StateLayout& layout = the_case.model.states;
   VectorXd tolerance(state.size());
-  for (Index j = 0; j < half; ++j) {
-    const double own_frequency = std::sqrt(std::abs(the_case.sensitivity.matrices.A(half + j, j)));
+  for (int j = 0; j < layout.coordinates; ++j) {
+    const double own_frequency = std::sqrt(std::abs(the_case.sensitivity.matrices.A(layout.rate(j), j)));
     tolerance(j) = run.accuracy * std::max(1.0, state(j));
-    tolerance(half + j) = tolerance(j) * std::max(1.0, own_frequency);
+    tolerance(layout.rate(j)) = tolerance(j) * std::max(1.0, own_frequency);
   }
   return tolerance;
 }
@@ -141,45 +152,47 @@ VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, long steps, 
 }
 
 VectorXd geometryOf(const CaseSize& the_case) {
-  const Topology& topology = the_case.topology;
-  const GeometryDisturbance left_out = geometryDisturbance(topology, the_case.rest, the_case.motion);
-  VectorXd rate = VectorXd::Zero(2 * topology.coordinates);
+  const Topology& topology = the_case.model.topology;
+  const GeometryDisturbance left_out = geometryDisturbance(topology, the_case.model.rest, the_case.motion);
+  VectorXd rate = VectorXd::Zero(the_case.model.states.size());
   for (const TopologyBody& body : topology.bodies) {
-    if (body.z_index >= 0) rate(topology.coordinates + body.z_index) = left_out.force(body.z_index) / body.mass;
+    if (body.z_index >= 0) rate(the_case.model.states.rate(body.z_index)) = left_out.force(body.z_index) / body.mass;
     if (body.pitch_index >= 0) {
-      rate(topology.coordinates + body.pitch_index) = left_out.force(body.pitch_index) / body.pitch_inertia;
+      rate(the_case.model.states.rate(body.pitch_index)) = left_out.force(body.pitch_index) / body.pitch_inertia;
     }
   }
   for (const TopologyWheelset& wheelset : topology.wheelsets) {
     if (wheelset.z_index >= 0) {
-      rate(topology.coordinates + wheelset.z_index) = left_out.force(wheelset.z_index) / wheelset.mass;
+      rate(the_case.model.states.rate(wheelset.z_index)) = left_out.force(wheelset.z_index) / wheelset.mass;
     }
   }
   VectorXd size = columnsOf(the_case, rate);
-  const auto add = [&](const std::string& name, double value) {
-    if (const auto i = columnOf(the_case.columns, name)) size(*i) += value;
+  const auto add = [&](PartKind part, std::size_t index, Quantity quantity, double value) {
+    size(columnOf(the_case, part, index, quantity)) += value;
   };
   for (std::size_t s = 0; s < topology.suspensions.size(); ++s) {
     const TopologySuspension& suspension = topology.suspensions[s];
     const Index row = static_cast<Index>(s);
-    add(suspension.name + ".deflection", left_out.deflection(row));
-    add(suspension.name + ".force", left_out.suspension_force(row));
+    add(PartKind::kSuspension, s, Quantity::kDeflection, left_out.deflection(row));
+    add(PartKind::kSuspension, s, Quantity::kForce, left_out.suspension_force(row));
     if (suspension.lower_wheelset >= 0) {
-      const std::string& wheelset = topology.wheelsets[static_cast<std::size_t>(suspension.lower_wheelset)].name;
-      add(wheelset + ".load", left_out.suspension_force(row));
+      const auto wheelset = static_cast<std::size_t>(suspension.lower_wheelset);
+      add(PartKind::kWheelset, wheelset, Quantity::kLoad, left_out.suspension_force(row));
     }
   }
-  for (const TopologyPoint& point : topology.points) {
+  for (std::size_t p = 0; p < topology.points.size(); ++p) {
+    const TopologyPoint& point = topology.points[p];
     const TopologyBody& body = topology.bodies[static_cast<std::size_t>(point.body)];
     if (body.pitch_index < 0) continue;
     const double arm = std::abs(point.arm);
     const double pitch = the_case.motion.state(body.pitch_index);
-    const double rate_of = the_case.motion.state(topology.coordinates + body.pitch_index);
-    add(point.name + ".z", arm * std::pow(pitch, 3) / 6.0);
-    add(point.name + ".vz", arm * pitch * pitch / 2.0 * rate_of);
-    const auto acceleration = columnOf(the_case.columns, body.name + ".pitch_acc");
-    const double pitch_acc = acceleration ? the_case.motion.output(*acceleration) : 0.0;
-    add(point.name + ".az", arm * (pitch * pitch / 2.0 * pitch_acc + pitch * rate_of * rate_of));
+    const double rate_of = the_case.motion.state(the_case.model.states.rate(body.pitch_index));
+    add(PartKind::kPoint, p, Quantity::kZ, arm * std::pow(pitch, 3) / 6.0);
+    add(PartKind::kPoint, p, Quantity::kZRate, arm * pitch * pitch / 2.0 * rate_of);
+    const double pitch_acc = the_case.motion.output(
+        columnOf(the_case, PartKind::kBody, static_cast<std::size_t>(point.body), Quantity::kPitchAcceleration));
+    add(PartKind::kPoint, p, Quantity::kZAcceleration,
+        arm * (pitch * pitch / 2.0 * pitch_acc + pitch * rate_of * rate_of));
   }
   return kGeometry * size;
 }
@@ -194,10 +207,10 @@ std::string integrationWords(const RunKey& run) {
 
 std::string geometryWords(const CaseSize& the_case) {
   double pitch = 0.0;
-  for (const TopologyBody& body : the_case.topology.bodies) {
+  for (const TopologyBody& body : the_case.model.topology.bodies) {
     if (body.pitch_index >= 0) pitch = std::max(pitch, the_case.motion.state(body.pitch_index));
   }
-  const bool heights = the_case.topology.has_heights;
+  const bool heights = the_case.model.topology.has_heights;
   return fmt::format("{:.2g} mrad of pitch, ~ amplitude{}", 1e3 * pitch, heights ? " with heights" : "^2");
 }
 

@@ -20,8 +20,7 @@ constexpr double kMostBytes = 2.0 * 1024.0 * 1024.0 * 1024.0;
 
 class Planner {
  public:
-  Planner(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice)
-      : vehicle_(vehicle), scenario_(scenario), choice_(choice) {}
+  Planner(const CompiledModel& model, const ValidationChoice& choice) : model_(model), choice_(choice) {}
 
   ValidationPlan plan() {
     add(keyOf("matrix", "exact"));
@@ -39,7 +38,7 @@ class Planner {
   }
 
   void planForm(const std::string& form) {
-    if (const ProblemList misfits = formMisfits(form, vehicle_); !misfits.empty()) {
+    if (const ProblemList misfits = formMisfits(form, model_.topology); !misfits.empty()) {
       plan_.misfits.push_back({form, "", misfits[0].message});
       return;
     }
@@ -48,7 +47,7 @@ class Planner {
     const bool all = choice_.methods.empty();
     bool runs = false;
     for (const std::string& method : all ? methodNames() : choice_.methods) {
-      const std::string misfit = methodMisfit(method, form, vehicle_, scenario_.gravity);
+      const std::string misfit = methodMisfit(method, form, model_);
       if (misfit.empty()) {
         planMethod(form, method);
         runs = true;
@@ -57,7 +56,7 @@ class Planner {
       }
     }
     if (runs) return;
-    const std::string method = defaultMethod(form, vehicle_);
+    const std::string method = defaultMethod(form, model_.topology);
     plan_.notes.push_back(fmt::format("{}: none of the methods asked for can run it; it runs by {}", form, method));
     planMethod(form, method);
   }
@@ -94,7 +93,7 @@ class Planner {
 
   int equationsOfFlat() {
     if (!flat_equations_) {
-      const std::unique_ptr<System> flat = buildForm("flat", vehicle_, scenario_.gravity);
+      const std::unique_ptr<System> flat = buildForm("flat", model_);
       const EquationSet* cut = flat->equations();
       flat_equations_ = cut != nullptr ? static_cast<int>(cut->equations().size()) : 1;
     }
@@ -106,8 +105,7 @@ class Planner {
     if (std::find(plan_.runs.begin(), plan_.runs.end(), key) == plan_.runs.end()) plan_.runs.push_back(std::move(key));
   }
 
-  const Vehicle& vehicle_;
-  const Scenario& scenario_;
+  const CompiledModel& model_;
   const ValidationChoice& choice_;
   ValidationPlan plan_;
   std::optional<int> flat_equations_;  // into which the flat form can be cut
@@ -115,8 +113,8 @@ class Planner {
 
 }  // namespace
 
-ValidationPlan validationPlanOf(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice) {
-  return Planner(vehicle, scenario, choice).plan();
+ValidationPlan validationPlanOf(const CompiledModel& model, const ValidationChoice& choice) {
+  return Planner(model, choice).plan();
 }
 
 std::string equationsOf(const std::string& form) { return isPrintedVariant(form) ? form : "matrix"; }
@@ -139,12 +137,13 @@ bool judgesAnything(const ValidationPlan& plan) {
   return false;
 }
 
-std::string caseRefusal(const ValidationPlan& plan, const Vehicle& vehicle, const Scenario& scenario, double speed) {
+std::string caseRefusal(const ValidationPlan& plan, const CompiledModel& model, const Scenario& scenario,
+                        double speed) {
   Scenario run = scenario;
   run.run.speed = speed;
   // Steps of fixed accuracy become shorter and shorter, and rounding is all that two runs could differ in.
   constexpr double kMostGrowth = 1e12;
-  const double growth = MotionRates(*buildForm("matrix", vehicle, scenario.gravity)).growth() * durationOf(run);
+  const double growth = MotionRates(*buildForm("matrix", model)).growth() * durationOf(run);
   if (growth > std::log(kMostGrowth)) {
     return fmt::format(
         "the vehicle cannot stand: its motion grows 1e{:.0f}-fold over {:.4g} s, beyond any comparison; take a shorter "
@@ -152,7 +151,7 @@ std::string caseRefusal(const ValidationPlan& plan, const Vehicle& vehicle, cons
         growth / std::numbers::ln10, durationOf(run));
   }
   const double samples = durationOf(run) / scenario.run.output_step + 1.0;
-  const double columns = static_cast<double>(resultChannels(topologyOf(vehicle)).size() + 1);
+  const double columns = static_cast<double>(model.outputs.size() + 1);
   const double all = 8.0 * samples * columns * static_cast<double>(plan.runs.size());
   if (all <= kMostBytes) return {};
   return fmt::format(

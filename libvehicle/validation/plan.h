@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/vehicle.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/validation/ledger.h"
 
@@ -52,9 +52,8 @@ struct ValidationPlan {
 /// Every form by every method that fits. The exact solution of the matrix form is always there as the reference, and
 /// each rk4 run brings one at half the step. A chosen form that no chosen method can integrate is run by its default
 /// method, with a note.
-/// @param vehicle, scenario       right, also together
 /// @throws std::invalid_argument  a form or method that does not exist
-[[nodiscard]] ValidationPlan validationPlanOf(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice);
+[[nodiscard]] ValidationPlan validationPlanOf(const CompiledModel& model, const ValidationChoice& choice);
 
 /// Forms that solve the same equations share the ledger's sizes: all consistent ones ("matrix"), and each printed
 /// variant.
@@ -70,7 +69,7 @@ struct ValidationPlan {
 /// Why a case cannot be validated, with the remedy; empty if it can: the histories of all runs together are more than it
 /// may hold (2 GiB), or the motion grows beyond any comparison (1e12-fold).
 /// @param speed  [m/s]
-[[nodiscard]] std::string caseRefusal(const ValidationPlan& plan, const Vehicle& vehicle, const Scenario& scenario,
+[[nodiscard]] std::string caseRefusal(const ValidationPlan& plan, const CompiledModel& model, const Scenario& scenario,
                                       double speed);
 
 }  // namespace vehicle

@@ -35,10 +35,10 @@ Eigen::VectorXd liftedFromZeros(const Eigen::VectorXd& difference, const CaseSiz
 
 class Case {
  public:
-  Case(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice,
+  Case(const CompiledModel& model, const Scenario& scenario, const ValidationChoice& choice,
        const ValidationProgress& progress)
-      : vehicle_(vehicle), scenario_(scenario), choice_(choice), progress_(progress) {
-    report_.vehicle = vehicle.name;
+      : model_(model), scenario_(scenario), choice_(choice), progress_(progress) {
+    report_.vehicle = model.vehicle.name;
     report_.scenario = scenario.name;
     report_.speed = choice.run.speed.value_or(scenario.run.speed);
   }
@@ -60,17 +60,17 @@ class Case {
   };
 
   /// What simulate() would refuse, reported before anything is built of it.
-  void requireRunnable() const {
-    requireRight(vehicle_, scenario_);
+  void requireCase() const {
+    requireRunnable(model_, scenario_);
     const double step = choice_.run.step.value_or(kDefaultStep);
     if (!(std::isfinite(step) && step > 0.0))
       throw std::invalid_argument(fmt::format("step = {} s, must be finite and > 0", step));
   }
 
   void plan() {
-    requireRunnable();
-    ValidationPlan plan = validationPlanOf(vehicle_, scenario_, choice_);
-    if (const std::string refusal = caseRefusal(plan, vehicle_, scenario_, report_.speed); !refusal.empty()) {
+    requireCase();
+    ValidationPlan plan = validationPlanOf(model_, choice_);
+    if (const std::string refusal = caseRefusal(plan, model_, scenario_, report_.speed); !refusal.empty()) {
       throw std::invalid_argument(refusal);
     }
     report_.misfits = std::move(plan.misfits);
@@ -109,7 +109,7 @@ class Case {
     for (Equations& known : equations_) {
       if (known.name == name) return known;
     }
-    equations_.push_back({name, buildForm(name, vehicle_, scenario_.gravity), std::nullopt, std::nullopt});
+    equations_.push_back({name, buildForm(name, model_), std::nullopt, std::nullopt});
     return equations_.back();
   }
 
@@ -136,7 +136,7 @@ class Case {
     const auto begin = std::chrono::steady_clock::now();
     bool too_long = false;
     try {
-      RunResult result = simulate(vehicle_, scenario_, choice, [&](double share) {
+      RunResult result = simulate(model_, scenario_, choice, [&](double share) {
         too_long = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > most;
         return !too_long && report_progress(share);
       });
@@ -168,7 +168,7 @@ class Case {
     choice.form = report_.runs[0].key.form;
     choice.method = report_.runs[0].key.method;
     choice.keep = Keep::kNothing;
-    report_.warnings = simulate(vehicle_, scenario_, choice).warnings;
+    report_.warnings = simulate(model_, scenario_, choice).warnings;
   }
 
   [[nodiscard]] double timeLimitOf(const RunKey& shared) const {
@@ -195,15 +195,13 @@ class Case {
     const std::string& form = report_.runs[run].key.form;
     Equations& own = equations(form);
     if (!own.size) {
-      const Topology topology = topologyOf(vehicle_);
-      const Input input = inputOf(scenario_, topology, report_.speed);
+      const Input input = inputOf(scenario_, model_.topology, report_.speed);
       const std::optional<std::size_t> exact = find(own.name, "exact", 1);
       const double finer = finerStep(*own.system, input);
-      own.size = finer < scenario_.run.output_step && isLinearForm(own.name)
-                     ? sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input,
-                                  finerHistory(own.name, finer), scenario_.run.output_step)
-                     : sizeOfCase(*own.system, topology, restOf(topology, scenario_.gravity), input,
-                                  histories_[exact.value_or(run)], scenario_.run.output_step);
+      own.size =
+          finer < scenario_.run.output_step && isLinearForm(own.name)
+              ? sizeOfCase(*own.system, model_, input, finerHistory(own.name, finer), scenario_.run.output_step)
+              : sizeOfCase(*own.system, model_, input, histories_[exact.value_or(run)], scenario_.run.output_step);
     }
     return *own.size;
   }
@@ -229,7 +227,7 @@ class Case {
     choice.measures = false;
     choice.form = form;
     choice.method = "exact";
-    return simulate(vehicle_, finer, choice).history;
+    return simulate(model_, finer, choice).history;
   }
 
   void judge() {
@@ -293,18 +291,18 @@ class Case {
     const Eigen::VectorXd coarse = largestDifference(histories_[exact], histories_[*full]);
     const Eigen::VectorXd fine = largestDifference(histories_[exact], histories_[half]);
     double coarse_error = 0.0, fine_error = 0.0, noise = 0.0;
-    for (const Channel& state : equations(key.form).system->states()) {
-      const auto i = columnOf(size.columns, state.name);
-      if (!i || size.motion.output(*i) <= rounding(*i)) continue;
-      coarse_error = std::max(coarse_error, coarse(*i) / size.motion.output(*i));
-      fine_error = std::max(fine_error, fine(*i) / size.motion.output(*i));
-      noise = std::max(noise, rounding(*i) / size.motion.output(*i));
+    for (const OutputKey& state : model_.state_keys) {
+      const int i = model_.outputs.column(state);
+      if (size.motion.output(i) <= rounding(i)) continue;
+      coarse_error = std::max(coarse_error, coarse(i) / size.motion.output(i));
+      fine_error = std::max(fine_error, fine(i) / size.motion.output(i));
+      noise = std::max(noise, rounding(i) / size.motion.output(i));
     }
     if (!(fine_error > 3.0 * noise)) return std::nullopt;
     return std::log2(coarse_error / fine_error);
   }
 
-  const Vehicle& vehicle_;
+  const CompiledModel& model_;
   const Scenario& scenario_;
   const ValidationChoice& choice_;
   const ValidationProgress& progress_;
@@ -315,9 +313,15 @@ class Case {
 
 }  // namespace
 
+ValidationReport validate(const CompiledModel& model, const Scenario& scenario, const ValidationChoice& choice,
+                          const ValidationProgress& progress) {
+  return Case(model, scenario, choice, progress).validate();
+}
+
 ValidationReport validate(const Vehicle& vehicle, const Scenario& scenario, const ValidationChoice& choice,
                           const ValidationProgress& progress) {
-  return Case(vehicle, scenario, choice, progress).validate();
+  requireRight(vehicle, scenario);
+  return validate(compileChecked(vehicle, scenario.gravity), scenario, choice, progress);
 }
 
 }  // namespace vehicle

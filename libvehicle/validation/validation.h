@@ -7,8 +7,8 @@
 
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/suite.h"
-#include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/warning.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/validation/agreement.h"
 #include "libvehicle/validation/plan.h"
 
@@ -58,10 +58,15 @@ using ValidationProgress = std::function<bool(double share, const std::string& w
 /// The exact solution of the matrix form is always there as the reference, and each rk4 run brings one at half the
 /// step, whose error must have fallen as order 4 demands. A run shared among threads must have the bits of its serial
 /// one. A run that failed, or that took longer than it may, stays in the report: its pairs are not judged.
-/// @throws InvalidInput           vehicle or scenario is wrong
+/// @param model  under the scenario's gravity
+/// @throws InvalidInput           the scenario is wrong, alone or beside the vehicle
 /// @throws std::invalid_argument  a form or method that does not exist, a wrong setting, histories that together would
 ///                                need more memory than a case may take, or a motion that grows beyond any
 ///                                comparison (caseRefusal())
+[[nodiscard]] ValidationReport validate(const CompiledModel& model, const Scenario& scenario,
+                                        const ValidationChoice& choice = {}, const ValidationProgress& progress = {});
+/// The same of a definition, compiled for this case.
+/// @throws InvalidInput  also if the vehicle contradicts itself or its springs cannot carry the weight
 [[nodiscard]] ValidationReport validate(const Vehicle& vehicle, const Scenario& scenario,
                                         const ValidationChoice& choice = {}, const ValidationProgress& progress = {});
 

@@ -29,14 +29,14 @@ std::string written(const AttributeRow& row, std::string_view text) {
   return fmt::format("{}=\"{}\"", row.name, shown(text));
 }
 
-std::string listed(const std::vector<std::string>& choices) { return fmt::format("\"{}\"", joined(choices, "\", \"")); }
+std::string listed(const Words& choices) { return fmt::format("\"{}\"", joined(choices.strings(), "\", \"")); }
 
-std::string chooseRemedy(std::string_view word, const std::vector<std::string>& choices) {
-  if (const auto nearest = suggestion(word, choices)) return fmt::format("did you mean \"{}\"?", *nearest);
+std::string chooseRemedy(std::string_view word, const Words& choices) {
+  if (const auto nearest = suggestion(word, choices.strings())) return fmt::format("did you mean \"{}\"?", *nearest);
   return "write one of these";
 }
 
-int indexOf(std::string_view word, const std::vector<std::string>& choices) {
+int indexOf(std::string_view word, const Words& choices) {
   const auto found = std::find(choices.begin(), choices.end(), word);
   return found == choices.end() ? -1 : static_cast<int>(found - choices.begin());
 }
@@ -94,10 +94,10 @@ AttributeReading readInteger(const AttributeRow& row, std::string_view text) {
 }
 
 AttributeReading readChoice(const AttributeRow& row, std::string_view text) {
-  for (const std::vector<std::string>* words : {&row.choices, &row.spellings}) {
+  for (const Words* words : {&row.choices, &row.spellings}) {
     if (const int index = indexOf(text, *words); index >= 0) return {index, "", ""};
   }
-  const auto nearest = suggestion(text, row.choices);
+  const auto nearest = suggestion(text, row.choices.strings());
   return {nearest ? indexOf(*nearest, row.choices) : 0,
           fmt::format("{} is none of {}", written(row, text), listed(row.choices)), chooseRemedy(text, row.choices)};
 }
@@ -188,13 +188,13 @@ std::string attributeText(const AttributeRow& row, const Value& value) {
     case ValueKind::kInteger:
       return std::to_string(std::get<int>(value));
     case ValueKind::kChoice:
-      return row.choices.at(static_cast<std::size_t>(std::get<int>(value)));
+      return std::string(row.choices[static_cast<std::size_t>(std::get<int>(value))]);
     case ValueKind::kQuantity:
       break;
     case ValueKind::kChoiceList: {
       std::vector<std::string> words;
       for (const int index : std::get<std::vector<int>>(value)) {
-        words.push_back(row.choices.at(static_cast<std::size_t>(index)));
+        words.emplace_back(row.choices[static_cast<std::size_t>(index)]);
       }
       return joined(words, " ");
     }

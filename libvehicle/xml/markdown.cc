@@ -71,12 +71,13 @@ std::string valueOf(const AttributeRow& row) {
     case ValueKind::kInteger:
       return "whole number";
     case ValueKind::kChoice:
-      return fmt::format("`{}`{}", joined(row.choices, "`, `"),
-                         row.spellings.empty() ? "" : fmt::format(" (or `{}`)", joined(row.spellings, "`, `")));
+      return fmt::format(
+          "`{}`{}", joined(row.choices.strings(), "`, `"),
+          row.spellings.empty() ? "" : fmt::format(" (or `{}`)", joined(row.spellings.strings(), "`, `")));
     case ValueKind::kChoiceList:
       break;
   }
-  return fmt::format("some of `{}`", joined(row.choices, "`, `"));
+  return fmt::format("some of `{}`", joined(row.choices.strings(), "`, `"));
 }
 
 std::string fallbackOf(const AttributeRow& row) {
@@ -88,8 +89,8 @@ std::string fallbackOf(const AttributeRow& row) {
 std::string attributeTable(const ElementRow& row) {
   std::string out = "| attribute | value | range | without it | meaning |\n|---|---|---|---|---|\n";
   for (const AttributeRow& each : row.attributes) {
-    std::string sentence = each.sentence;
-    if (!each.sets.empty()) sentence += "; stands for " + joined(each.sets, ", ");
+    std::string sentence(each.sentence);
+    if (!each.sets.empty()) sentence += "; stands for " + joined(each.sets.strings(), ", ");
     out += fmt::format("| `{}` | {} | {} | {} | {} |\n", each.name, valueOf(each), rangeOf(each), fallbackOf(each),
                        escaped(sentence));
   }

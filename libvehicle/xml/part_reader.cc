@@ -105,13 +105,14 @@ PartText PartReader::readAttributes(const tinyxml2::XMLElement& element, const E
 }
 
 void PartReader::readOne(const tinyxml2::XMLAttribute& attribute, const AttributeRow& row, Attributes& of) {
-  of.given.insert(row.name);
+  of.given.emplace(row.name);
   AttributeReading reading = readAttribute(row, attribute.Value());
   const bool known = reading.message.empty();
   if (!known) report(attribute.GetLineNum(), of.path, std::move(reading.message), std::move(reading.remedy));
-  of.text.attributes.push_back({row.name, attribute.Name(), attribute.Value(), attribute.GetLineNum(), true, known});
+  of.text.attributes.push_back(
+      {std::string(row.name), attribute.Name(), attribute.Value(), attribute.GetLineNum(), true, known});
   if (row.reserved) {
-    of.row.reserved(of.object)->push_back({row.name, attribute.Value()});
+    of.row.reserved(of.object)->push_back({std::string(row.name), attribute.Value()});
   } else if (row.set != nullptr) {
     row.set(of.object, reading.value);
   }
@@ -124,7 +125,7 @@ bool PartReader::readMisspelt(const tinyxml2::XMLAttribute& attribute, Attribute
   const AttributeRow* fitting = nullptr;
   for (const AttributeRow& candidate : of.row.attributes) {
     if (of.given.contains(candidate.name)) continue;
-    names.push_back(candidate.name);
+    names.emplace_back(candidate.name);
     const bool fits = candidate.required && readAttribute(candidate, attribute.Value()).message.empty();
     if (fits && fitting == nullptr) fitting = &candidate;
   }
@@ -148,11 +149,11 @@ void PartReader::readStandingFor(Attributes& of) {
     const auto source = std::find_if(of.text.attributes.begin(), of.text.attributes.end(),
                                      [&](const AttributeText& each) { return each.name == several.name; });
     const AttributeText said = *source;
-    for (const std::string& name : several.sets) {
+    for (const std::string& name : several.sets.strings()) {
       if (!of.given.insert(name).second) {
         report(of.element.GetLineNum(), of.path,
                fmt::format("\"{}\" and \"{}\" are both given, and {} stands for {}", several.name, name, several.name,
-                           joined(several.sets, ", ")),
+                           joined(several.sets.strings(), ", ")),
                "remove one of them");
         std::erase_if(of.text.attributes, [&](const AttributeText& each) { return each.name == name; });
       }
@@ -175,7 +176,8 @@ void PartReader::addMissing(bool something_strange, Attributes& of) {
     }
     const bool known = !each.required && !something_strange;
     if (!known || !each.fallback.empty()) {
-      of.text.attributes.push_back({each.name, each.name, each.fallback, line, false, known});
+      of.text.attributes.push_back(
+          {std::string(each.name), std::string(each.name), std::string(each.fallback), line, false, known});
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -45,7 +46,7 @@ class PartReader {
     void* object;
     const std::string& path;
     PartText text = {};
-    std::set<std::string> given = {};  // also those that were meant by a misspelt one
+    std::set<std::string, std::less<>> given = {};  // also those that were meant by a misspelt one
   };
 
   PartText readAttributes(const tinyxml2::XMLElement& element, const ElementRow& row, void* object,

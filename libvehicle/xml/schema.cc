@@ -1,36 +1,10 @@
 #include "libvehicle/xml/schema.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "libvehicle/xml/schema_files.h"
 
 namespace vehicle {
-
-AttributeRow AttributeRow::asRequired() const {
-  AttributeRow row = *this;
-  row.required = true;
-  return row;
-}
-
-AttributeRow AttributeRow::orElse(std::string text) const {
-  AttributeRow row = *this;
-  row.fallback = std::move(text);
-  return row;
-}
-
-AttributeRow AttributeRow::alsoWritten(std::vector<std::string> words) const {
-  AttributeRow row = *this;
-  row.spellings = std::move(words);
-  return row;
-}
-
-AttributeRow AttributeRow::standingFor(std::vector<std::string> names) const {
-  AttributeRow row = *this;
-  row.sets = std::move(names);
-  return row;
-}
 
 const AttributeRow* ElementRow::attribute(std::string_view attribute_name) const {
   for (const AttributeRow& row : attributes) {
@@ -86,7 +60,7 @@ std::string exampleOf(const AttributeRow& row, const ElementRow& element) {
     return element.example.substr(at + 1, element.example.find('"', at + begin.size()) - at);
   }
   return fmt::format("{}=\"{}\"", row.name,
-                     row.kind == ValueKind::kQuantity ? describe(row.dimension).example : row.choices.front());
+                     row.kind == ValueKind::kQuantity ? describe(row.dimension).example : row.choices[0]);
 }
 
 }  // namespace vehicle

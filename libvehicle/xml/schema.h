@@ -3,19 +3,18 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "libvehicle/definition/attribute.h"
 #include "libvehicle/definition/origin.h"
-#include "libvehicle/units/quantity.h"
 
 namespace vehicle {
 
-// The one table of what may stand in a file: every element with its attributes, dimensions, ranges, defaults
-// and a sentence for the reader of the docs. Each row also knows the struct member that it fills, so reader,
-// writer, XSD and docs page are walks over this table: a new attribute is one line in a *_schema.cc.
+// What may stand in a file: elements with their names, order, children and examples. What may be said of each is the
+// table of attributes (definition/attribute.h), whose rows also know the struct members that they fill. Reader, writer,
+// XSD and docs page are walks over both.
 
-/// What a file is about, told by its root element.
+/// What a file is about, as its root element says.
 enum class FileKind {
   kVehicle,
   kTrain,
@@ -27,54 +26,6 @@ enum class FileKind {
 /// The format of files that this program reads and writes: <vehicle format="1">.
 inline constexpr std::string_view kFileFormat = "1";
 
-enum class ValueKind {
-  kFormat,      // kFileFormat; bound to no member
-  kName,        // letters, digits, "_" and "-", beginning with a letter or digit; unique in the file
-  kReference,   // the name of another part; of a train's part "coach_2.carbody"
-  kFile,        // a path, counted from the folder of the naming file
-  kText,        // words that definition's check() and bindStudy() read
-  kQuantity,    // number with unit
-  kInteger,     // whole number without unit
-  kChoice,      // one word of a list
-  kChoiceList,  // some words of a list, each once, with spaces between
-};
-
-/// Range of a quantity.
-enum class Sign {
-  kAny,
-  kNotNegative,
-  kPositive
-};
-
-/// A value between file and struct: quantity in SI, integer or index of a choice, text, indices of choices;
-/// monostate: not given.
-using Value = std::variant<std::monostate, double, int, std::string, std::vector<int>>;
-
-struct AttributeRow {
-  std::string name;
-  ValueKind kind = ValueKind::kName;
-  std::string sentence;
-  bool required = false;
-  bool reserved = false;                     // checked, kept as text in `reserved`, used by no planar form
-  Dimension dimension = Dimension::kNumber;  // of a kQuantity
-  Sign sign = Sign::kAny;                    // of a kQuantity
-  int least = 0;                             // of a kInteger
-  int most = 0;                              // of a kInteger
-  std::vector<std::string> choices;          // of kChoice and kChoiceList; the index is the enumerator's value
-  std::vector<std::string> spellings;        // of kChoice: each choice as others spell it; read and never written
-  std::string fallback;                      // value where the attribute is not given, as a file would say it
-  std::vector<std::string> sets;             // attributes that this one stands for (`z` for both ends)
-
-  Value (*get)(const void* object) = nullptr;
-  void (*set)(void* object, const Value& value) = nullptr;
-
-  /// The same row with one thing changed, so that a table line reads as a sentence.
-  [[nodiscard]] AttributeRow asRequired() const;
-  [[nodiscard]] AttributeRow orElse(std::string text) const;
-  [[nodiscard]] AttributeRow alsoWritten(std::vector<std::string> words) const;
-  [[nodiscard]] AttributeRow standingFor(std::vector<std::string> names) const;
-};
-
 struct ElementRow {
   std::string name;
   std::string sentence;
@@ -83,7 +34,7 @@ struct ElementRow {
   bool many = false;      // may stand more than once
   bool in_group = false;  // may stand inside a <group> too
   bool is_group = false;  // holds its parent's in_group elements
-  std::vector<AttributeRow> attributes;
+  std::vector<AttributeRow> attributes;  // those of the struct; of a root also its format
   std::vector<ElementRow> children;
 
   // Text elements (<title>) fill a string of the parent; all others are objects of their own.

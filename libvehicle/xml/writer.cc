@@ -57,7 +57,7 @@ bool isSame(const Value& a, const Value& b) {
 }
 
 Written attributesOf(const ElementRow& row, const void* object) {
-  std::vector<std::string> covered;
+  std::vector<std::string_view> covered;
   for (const AttributeRow& attribute : row.attributes) {
     const bool stands = !attribute.sets.empty() && !std::holds_alternative<std::monostate>(attribute.get(object));
     if (stands) covered.insert(covered.end(), attribute.sets.begin(), attribute.sets.end());
@@ -158,8 +158,8 @@ class Writer {
   /// Equal elements, their attributes in columns.
   void writeAligned(const std::vector<PartToWrite>& parts, int depth) {
     std::vector<Written> lines;
-    std::map<std::string, std::size_t> widths;
-    std::vector<std::string> columns;  // in the order of the table, reserved ones as they come
+    std::map<std::string, std::size_t, std::less<>> widths;
+    std::vector<std::string_view> columns;  // in the order of the table, reserved ones as they come
     for (const AttributeRow& attribute : parts.front().row->attributes) columns.push_back(attribute.name);
     for (const PartToWrite& part : parts) {
       lines.push_back(attributesOf(*part.row, part.object));
@@ -169,11 +169,11 @@ class Writer {
       std::string out = std::string(2 * static_cast<std::size_t>(depth), ' ') + "<" + parts.front().row->name;
       // Reserved attributes keep their order among each other, which need not be the table's: they get no columns.
       std::size_t next = 0;
-      for (const std::string& column : columns) {
+      for (const std::string_view column : columns) {
         if (widths.count(column) == 0 || isReserved(*parts.front().row, column)) continue;
         const bool given = next < line.size() && line[next].first == column;
         std::string cell = given ? fmt::format(" {}=\"{}\"", column, line[next].second) : "";
-        cell.resize(widths[column] + column.size() + 4, ' ');
+        cell.resize(widths.find(column)->second + column.size() + 4, ' ');
         out += cell;
         if (given) ++next;
       }
@@ -185,7 +185,7 @@ class Writer {
     }
   }
 
-  static bool isReserved(const ElementRow& row, const std::string& name) { return row.attribute(name)->reserved; }
+  static bool isReserved(const ElementRow& row, std::string_view name) { return row.attribute(name)->reserved; }
 
   std::string text_;
 };

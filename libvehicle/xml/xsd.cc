@@ -125,8 +125,8 @@ class XsdWriter {
 
   static std::string choices(const AttributeRow& row) {
     std::string out = "<xs:restriction base=\"xs:string\">";
-    for (const std::vector<std::string>* words : {&row.choices, &row.spellings}) {
-      for (const std::string& choice : *words) out += fmt::format("<xs:enumeration value=\"{}\"/>", choice);
+    for (const Words* words : {&row.choices, &row.spellings}) {
+      for (const std::string_view choice : *words) out += fmt::format("<xs:enumeration value=\"{}\"/>", choice);
     }
     return out + "</xs:restriction>";
   }
@@ -136,9 +136,10 @@ class XsdWriter {
     // What another attribute may stand for cannot be demanded in XSD 1.0.
     std::string out = fmt::format("    <xs:attribute name=\"{}\"", row.name);
     if (!type.empty()) out += fmt::format(" type=\"{}\"", type);
-    if (row.required && replaceable_.count(row.name) == 0) out += " use=\"required\"";
+    if (row.required && replaceable_.count(std::string(row.name)) == 0) out += " use=\"required\"";
     if (!row.fallback.empty()) out += fmt::format(" default=\"{}\"", row.fallback);
-    const std::string note = documentation(row.sentence + (row.reserved ? " (reserved for 3-D forms)" : ""));
+    const std::string note =
+        documentation(std::string(row.sentence) + (row.reserved ? " (reserved for 3-D forms)" : ""));
     out += ">" + note;
     if (type.empty()) out += "<xs:simpleType>" + body + "</xs:simpleType>";
     return out + "</xs:attribute>\n";

@@ -215,7 +215,7 @@ TEST_F(OneMistake, InALeftOutAttribute) {
   std::set<std::string> required;
   const std::function<void(const ElementRow&)> collect = [&](const ElementRow& row) {
     for (const AttributeRow& each : row.attributes) {
-      if (each.required) required.insert(each.name);
+      if (each.required) required.emplace(each.name);
     }
     for (const ElementRow& child : row.children) collect(child);
   };

@@ -1,6 +1,10 @@
 #include "libvehicle/definition/parameter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
+#include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +51,45 @@ TEST(Parameters, OfAVehicleEachReadAndWriteANumberOfTheirOwn) {
 }
 
 TEST(Parameters, OfAScenarioEachReadAndWriteANumberOfTheirOwn) { expectEachToBeANumberOfItsOwn(trackWithMembers()); }
+
+/// Whether check() says of an attribute that a value breaks a rule.
+bool isRefused(const ProblemList& problems, std::string_view attribute, const std::string& rule) {
+  return std::any_of(problems.begin(), problems.end(), [&](const Problem& each) {
+    return each.message.starts_with(std::string(attribute) + "=\"") && each.remedy == rule;
+  });
+}
+
+// A row is enough: what it says of the range is judged of every part that has the attribute.
+template <class Owner>
+void expectEachToBeJudgedAsItsRowSays(const Owner& owner) {
+  for (const ParameterOf<Owner>& each : parametersOf(owner)) {
+    SCOPED_TRACE(each.address);
+    Owner changed = owner;
+    each.setIn(changed, std::nan(""));
+    EXPECT_TRUE(isRefused(check(changed), each.row->name, "must be finite")) << check(changed).text();
+    each.setIn(changed, -1.0);
+    const bool is_positive = each.row->sign == Sign::kPositive;
+    // These have to be above 0 where the body pitches and where wheels roll, as they do here.
+    const bool is_stricter = each.template is<&Body::pitch_inertia>() || each.template is<&Run::speed>();
+    EXPECT_EQ(isRefused(check(changed), each.row->name, "must be > 0"), is_positive || is_stricter);
+    EXPECT_EQ(isRefused(check(changed), each.row->name, "must be >= 0"),
+              each.row->sign == Sign::kNotNegative && !is_stricter);
+  }
+}
+
+TEST(Parameters, AreJudgedByCheckAsTheirRowsSay) {
+  Vehicle vehicle = test::contactVehicle();
+  std::erase_if(vehicle.bodies, [](const Body& each) { return !moves(each, Motion::kPitch); });
+  vehicle.groups.emplace_back().name = "front";
+  vehicle.points.emplace_back().name = "floor";
+  expectEachToBeJudgedAsItsRowSays(vehicle);
+  Scenario scenario = trackWithMembers();
+  scenario.track->bumps.emplace_back().name = "bump";
+  scenario.track->ramps.emplace_back().name = "ramp";
+  expectEachToBeJudgedAsItsRowSays(scenario);
+  scenario.rig.emplace().inputs.emplace_back().sines.emplace_back().name = "shake";
+  expectEachToBeJudgedAsItsRowSays(scenario);
+}
 
 TEST(Parameters, AreAddressedAsPartAndAttribute) {
   const Vehicle vehicle = test::paperVehicle();

@@ -29,9 +29,9 @@ Vehicle withPoints(Vehicle vehicle) {
 TEST(EnsembleDesign, HasEveryColumnOfTheFlatFormUnderItsName) {
   for (Vehicle vehicle : {withPoints(paperVehicle()), withPoints(asymmetricVehicle())}) {
     vehicle.wheelsets[1].mass = 1800.0;
-    const auto form = buildFlatForm(vehicle, 9.81);
+    const auto form = buildFlatForm(compile(vehicle, 9.81));
     const Topology topology = topologyOf(vehicle);
-    const FlatLayout layout = readLayout(vehicle, topology).layout;
+    const FlatLayout layout = readLayout(topology).layout;
     const EnsembleDesign design = ensembleDesign(topology, layout, 9.81);
     const std::array<double, 8> inner = {1e-3, -2e-3, 3e-3, 5e-3, 0.07, 0.011, -0.013, 0.017};
     const std::array<double, 12> rail = {4e-3, -1e-3, 2e-3, 7e-3, 0.01, 0.03, -0.02, 0.05, 1.1, -0.7, 0.3, 2.0};
@@ -66,7 +66,7 @@ TEST(EnsembleDesign, LeavesOutPointsBeyondTheEighth) {
     vehicle.points.push_back(point);
   }
   const Topology topology = topologyOf(vehicle);
-  const FlatLayout layout = readLayout(vehicle, topology).layout;
+  const FlatLayout layout = readLayout(topology).layout;
   EXPECT_EQ(flatColumn(topology, layout, "p7.az"), pointColumn(7, PointQuantity::kAz));
   EXPECT_FALSE(flatColumn(topology, layout, "p8.az"));
   EXPECT_EQ(ensembleDesign(topology, layout, 9.81).point_arm[7], 7.0);

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/definition/topology.h"
+#include "libvehicle/model/topology.h"
 #include "tests/support/vehicles.h"
 
 // Tracks for the tests of this room.

@@ -30,7 +30,7 @@ FlatEquationSet trainOf(const std::vector<FlatParameters>& vehicles, const std::
                          identity(4 * count));
 }
 
-FlatParameters parametersOf(const Vehicle& vehicle) { return buildFlatForm(vehicle, 9.81)->parameters(); }
+FlatParameters parametersOf(const Vehicle& vehicle) { return buildFlatForm(compile(vehicle, 9.81))->parameters(); }
 
 // Three vehicles, two unlike couplings, nothing symmetric.
 FlatEquationSet mixedTrain() {
@@ -48,7 +48,7 @@ std::vector<double> wholeDerivative(const EquationSet& set, const std::vector<do
 
 TEST(FlatEquationSet, GivesTheBitsOfTheFormInItsOwnOrder) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), heightsVehicle()}) {
-    const auto form = buildFlatForm(vehicle, 9.81);
+    const auto form = buildFlatForm(compile(vehicle, 9.81));
     const EquationSet* set = form->equations();
     ASSERT_NE(set, nullptr);
     ASSERT_EQ(set->size(), form->size());
@@ -71,12 +71,12 @@ TEST(FlatEquationSet, GivesTheBitsOfTheFormInItsOwnOrder) {
 }
 
 TEST(FlatEquationSet, BelongsToTheConsistentVariantOnly) {
-  EXPECT_EQ(buildFlatForm(paperVehicle(), 9.81, FlatVariant::kLiteral)->equations(), nullptr);
-  EXPECT_EQ(buildFlatForm(paperVehicle(), 9.81, FlatVariant::kPrinted7)->equations(), nullptr);
+  EXPECT_EQ(buildFlatForm(compile(paperVehicle(), 9.81), FlatVariant::kLiteral)->equations(), nullptr);
+  EXPECT_EQ(buildFlatForm(compile(paperVehicle(), 9.81), FlatVariant::kPrinted7)->equations(), nullptr);
 }
 
 TEST(FlatEquationSet, NamesEquationsByTheirBody) {
-  const auto form = buildFlatForm(asymmetricVehicle(), 9.81);
+  const auto form = buildFlatForm(compile(asymmetricVehicle(), 9.81));
   const std::vector<Equation>& equations = form->equations()->equations();
   ASSERT_EQ(equations.size(), 4u);
   EXPECT_EQ(equations[0].name, "carbody bounce (2)");
@@ -160,7 +160,7 @@ TEST(FlatEquationSet, CouplingAddsTheSquareOfItsRow) {
 }
 
 TEST(FlatEquationSet, ASingleVehicleIsATrainOfOne) {
-  const auto form = buildFlatForm(paperVehicle(), 9.81);
+  const auto form = buildFlatForm(compile(paperVehicle(), 9.81));
   const FlatEquationSet one = trainOf({form->parameters()}, {});
   const RandomState state = randomStates(1, 8, 4)[0];
   const std::vector<double> u(state.u.begin(), state.u.begin() + 8);

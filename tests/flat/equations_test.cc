@@ -23,7 +23,7 @@ constexpr double kGravity = 9.81;  // [m/s^2]
 
 // Half a unit of the last digit printed in docs/theory/errata.md.
 void expectEigenvalues(FlatVariant variant, const std::vector<std::complex<double>>& expected) {
-  const auto form = buildFlatForm(paperVehicle(), kGravity, variant);
+  const auto form = buildFlatForm(compile(paperVehicle(), kGravity), variant);
   const auto actual = test::oscillationsOf(form->linear().value().A);
   ASSERT_EQ(actual.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -67,7 +67,7 @@ std::array<double, 8> bySeven(const Equation7& seven, const std::array<double, 8
 
 // Two ways to sum the same dozen products: a few roundings of the largest acceleration.
 TEST(EquationSeven, WithTheConsistentMappingIsTwoToFive) {
-  const auto form = buildFlatForm(paperVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(paperVehicle(), kGravity));
   const Equation7 seven = equation7(lettersOf(form->parameters(), Mapping::kConsistent));
   for (const RandomState& state : randomStates(1000, 8, 4)) {
     std::array<double, 8> x{}, u{}, dx{};
@@ -83,7 +83,7 @@ TEST(EquationSeven, WithTheConsistentMappingIsTwoToFive) {
 
 // Entry by entry, so that no sum hides a small one.
 TEST(EquationSeven, HasTheMatricesOfTwoToFive) {
-  const auto form = buildFlatForm(paperVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(paperVehicle(), kGravity));
   const StateSpace matrices = form->linear().value();
   const Equation7 seven = equation7(lettersOf(form->parameters(), Mapping::kConsistent));
   constexpr std::array<Eigen::Index, 8> kPlace = {2, 6, 3, 7, 0, 4, 1, 5};
@@ -100,7 +100,7 @@ TEST(EquationSeven, HasTheMatricesOfTwoToFive) {
 }
 
 double carbodyForceAfterLift(FlatVariant variant) {
-  const auto form = buildFlatForm(paperVehicle(), kGravity, variant);
+  const auto form = buildFlatForm(compile(paperVehicle(), kGravity), variant);
   const double h = 1e-3;
   const std::array<double, 8> x = {h, 0, h, h, 0, 0, 0, 0};
   const std::array<double, 8> u = {h, h, h, h, 0, 0, 0, 0};
@@ -111,7 +111,7 @@ double carbodyForceAfterLift(FlatVariant variant) {
 
 // Lifting bodies and rail by 1 mm; forces are differences of terms of 6 kN, rounding 1e-12 N.
 TEST(UniformLift, LeavesNoForceInTheConsistentEquations) {
-  const auto form = buildFlatForm(asymmetricVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(asymmetricVehicle(), kGravity));
   std::vector<double> x(8, 0.0), u(8, 0.0), dx(8);
   for (const std::size_t z : {0u, 1u, 3u}) x[z] = 1e-3;  // rear_bogie.z, carbody.z, front_bogie.z
   std::fill_n(u.begin(), 4, 1e-3);
@@ -128,7 +128,7 @@ TEST(UniformLift, LeavesAForceInTheLiteralEquations) {
 
 // zk'' of a pure phi is zero in the symmetric vehicle: that is why the paper's (2) has no phi.
 TEST(SymmetricVehicle, DecouplesBounceFromPitch) {
-  const StateSpace matrices = buildFlatForm(paperVehicle(), kGravity)->linear().value();
+  const StateSpace matrices = buildFlatForm(compile(paperVehicle(), kGravity))->linear().value();
   EXPECT_EQ(matrices.A(4, 1), 0.0);
   EXPECT_EQ(matrices.A(4, 5), 0.0);
   EXPECT_EQ(matrices.A(5, 0), 0.0);
@@ -157,7 +157,7 @@ TEST(Equations, GiveEveryLaneOfASimdPackTheBitsOfDouble) {
   const FlatParameters second = {.mk = 48e3, .Jk = 310e3, .m1 = 10.2e3, .m2 = 7.5e3, .lf = 3.7, .lr = 4.8,
                                  .cs1 = 3.1e6, .bs1 = 60e3, .cs2 = 1.9e6, .bs2 = 85e3,
                                  .cp = {2.7e6, 3.4e6, 2.2e6, 3.9e6}, .bp = {21e3, 33e3, 45e3, 12e3}, .k_g = -2e5};
-  const FlatParameters first = buildFlatForm(paperVehicle(), kGravity)->parameters();
+  const FlatParameters first = buildFlatForm(compile(paperVehicle(), kGravity))->parameters();
   const FlatCoefficients<Pack> p = pairOf(coefficientsOf(first), coefficientsOf(second));
   const RandomState state = randomStates(1, 8, 4).front();
   const auto lanes = [](double value) { return Pack{value, value}; };

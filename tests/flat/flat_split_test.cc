@@ -31,7 +31,7 @@ Vehicle reversedVehicle() {
 // rate of a kind. A wrong factor 2 anywhere is of order 1.
 TEST(FlatSplit, HalvesHaveTheRatesOfTheWholeAtRandomStates) {
   for (const Vehicle& vehicle : {paperVehicle(), reversedVehicle(), heightsVehicle()}) {
-    const auto form = buildFlatForm(vehicle, kGravity);
+    const auto form = buildFlatForm(compile(vehicle, kGravity));
     const FlatSplit split(*form);
     std::vector<double> dx(8), halves(8), rates(8), led_back(8), u(4);
     double worst = 0.0;
@@ -58,7 +58,7 @@ TEST(FlatSplit, HalvesHaveTheRatesOfTheWholeAtRandomStates) {
 
 // Of the paper's four published modes two belong to bounce, two to pitch (docs/theory/errata.md); seven digits.
 TEST(FlatSplit, TheTwoHalvesShareThePapersFourModes) {
-  const auto form = buildFlatForm(paperVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(paperVehicle(), kGravity));
   const FlatSplit split(*form);
   const auto bounce = test::oscillationsOf(split.bounce().linear()->A);
   const auto pitch = test::oscillationsOf(split.pitch().linear()->A);
@@ -71,15 +71,15 @@ TEST(FlatSplit, TheTwoHalvesShareThePapersFourModes) {
 }
 
 TEST(FlatSplit, BounceDoesNotKnowTheCarbodysPitchInertia) {
-  const auto light = buildFlatForm(paperVehicle(70e3), kGravity);
-  const auto heavy = buildFlatForm(paperVehicle(686465.5), kGravity);
+  const auto light = buildFlatForm(compile(paperVehicle(70e3), kGravity));
+  const auto heavy = buildFlatForm(compile(paperVehicle(686465.5), kGravity));
   EXPECT_EQ(FlatSplit(*light).bounce().linear()->A, FlatSplit(*heavy).bounce().linear()->A);
   EXPECT_NE(FlatSplit(*light).pitch().linear()->A, FlatSplit(*heavy).pitch().linear()->A);
 }
 
 // A sum and a difference of two bogies, each rounded once.
 TEST(FlatSplit, TheWayThereAndBackLeavesTheStateAsItWas) {
-  const auto form = buildFlatForm(reversedVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(reversedVehicle(), kGravity));
   const FlatSplit split(*form);
   std::vector<double> halves(8), back(8);
   for (const RandomState& state : randomStates(50, 8, 4)) {
@@ -95,10 +95,10 @@ TEST(FlatSplit, TheWayThereAndBackLeavesTheStateAsItWas) {
 }
 
 TEST(FlatSplit, AnAsymmetricVehicleIsToldWhatDiffers) {
-  EXPECT_EQ(splitMisfit(*buildFlatForm(paperVehicle(), kGravity)), "");
+  EXPECT_EQ(splitMisfit(*buildFlatForm(compile(paperVehicle(), kGravity))), "");
   Vehicle heavier = paperVehicle();
   named(heavier.bodies, "rear_bogie").mass = 9.5e3;
-  const auto form = buildFlatForm(heavier, kGravity);
+  const auto form = buildFlatForm(compile(heavier, kGravity));
   const std::string misfit = splitMisfit(*form);
   EXPECT_EQ(misfit,
             "bounce and pitch are independent only where front and rear of a vehicle are equal, and here they differ: "
@@ -109,7 +109,7 @@ TEST(FlatSplit, AnAsymmetricVehicleIsToldWhatDiffers) {
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(error.what(), misfit);
   }
-  const std::string all = splitMisfit(*buildFlatForm(asymmetricVehicle(), kGravity));
+  const std::string all = splitMisfit(*buildFlatForm(compile(asymmetricVehicle(), kGravity)));
   for (const char* what : {"mass of the front bogie", "arm of", "stiffness of the front secondary",
                            "damping of the front secondary", "primary stiffness of wheel 1", "of wheel 4"}) {
     EXPECT_NE(all.find(what), std::string::npos) << what << " in: " << all;
@@ -117,7 +117,7 @@ TEST(FlatSplit, AnAsymmetricVehicleIsToldWhatDiffers) {
 }
 
 TEST(FlatSplit, APrintedVariantIsRefused) {
-  const auto form = buildFlatForm(paperVehicle(), kGravity, FlatVariant::kPrinted7);
+  const auto form = buildFlatForm(compile(paperVehicle(), kGravity), FlatVariant::kPrinted7);
   EXPECT_EQ(splitMisfit(*form), "bounce and pitch are independent in the form flat only; this is a printed variant");
 }
 

@@ -13,7 +13,7 @@
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/flat/flat_layout.h"
 #include "libvehicle/flat/flat_statics.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/rest.h"
 #include "tests/support/allocations.h"
 #include "tests/support/columns.h"
 #include "tests/support/random_state.h"
@@ -34,20 +34,20 @@ std::size_t indexOf(const FlatForm& form, const std::string& state) {
 
 TEST(FlatForm, NamesStatesAndColumnsAsEveryForm) {
   const Vehicle vehicle = asymmetricVehicle();
-  const auto form = buildFlatForm(vehicle, kGravity);
+  const auto form = buildFlatForm(compile(vehicle, kGravity));
   EXPECT_EQ(form->states(), stateChannels(topologyOf(vehicle)));
   EXPECT_EQ(form->outputs(), resultChannels(topologyOf(vehicle)));
   EXPECT_EQ(form->channels(), 4);
 }
 
 TEST(FlatForm, InnerOrderIsTheVehiclesOwnWhereTheFileGoesFromFrontToRear) {
-  const auto form = buildFlatForm(paperVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(paperVehicle(), kGravity));
   EXPECT_EQ(form->stateOrder(), (std::array<int, 8>{0, 1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(form->wheelOrder(), (std::array<int, 4>{0, 1, 2, 3}));
 }
 
 TEST(FlatForm, FindsFrontAndRearByPlaceAndNotByTheFilesOrder) {
-  const auto form = buildFlatForm(asymmetricVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(asymmetricVehicle(), kGravity));
   // File: rear_bogie.z, carbody.z, carbody.pitch, front_bogie.z; wheelsets 3, 1, 4, 2.
   EXPECT_EQ(form->stateOrder(), (std::array<int, 8>{1, 2, 3, 0, 5, 6, 7, 4}));
   EXPECT_EQ(form->wheelOrder(), (std::array<int, 4>{1, 3, 0, 2}));
@@ -64,7 +64,7 @@ TEST(FlatForm, FindsFrontAndRearByPlaceAndNotByTheFilesOrder) {
 }
 
 TEST(FlatRhs, GivesTheBitsOfDerivative) {
-  const auto form = buildFlatForm(asymmetricVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(asymmetricVehicle(), kGravity));
   for (const RandomState& state : randomStates(100, 8, 4)) {
     std::array<double, 8> x{}, u{}, inner{};
     std::vector<double> outer(8);
@@ -80,9 +80,9 @@ TEST(FlatRhs, GivesTheBitsOfDerivative) {
 }
 
 TEST(FlatRhs, IsThereForTheConsistentEquationsOnly) {
-  EXPECT_NE(buildFlatForm(paperVehicle(), kGravity)->rhs(), nullptr);
+  EXPECT_NE(buildFlatForm(compile(paperVehicle(), kGravity))->rhs(), nullptr);
   for (const FlatVariant variant : {FlatVariant::kPrinted7, FlatVariant::kLiteral, FlatVariant::kLiteralMb}) {
-    EXPECT_EQ(buildFlatForm(paperVehicle(), kGravity, variant)->rhs(), nullptr);
+    EXPECT_EQ(buildFlatForm(compile(paperVehicle(), kGravity), variant)->rhs(), nullptr);
   }
 }
 
@@ -93,8 +93,8 @@ TEST(FlatForm, ReorderedFilePermutesTheResultsAndChangesNothingElse) {
   std::reverse(turned.bodies.begin(), turned.bodies.end());
   std::rotate(turned.wheelsets.begin(), turned.wheelsets.begin() + 1, turned.wheelsets.end());
   std::reverse(turned.suspensions.begin(), turned.suspensions.end());
-  const auto form = buildFlatForm(vehicle, kGravity);
-  const auto other = buildFlatForm(turned, kGravity);
+  const auto form = buildFlatForm(compile(vehicle, kGravity));
+  const auto other = buildFlatForm(compile(turned, kGravity));
   for (const RandomState& state : randomStates(20, 8, 4)) {
     std::vector<double> x(8), u(12);
     for (std::size_t i = 0; i < 8; ++i) x[indexOf(*other, form->states()[i].name)] = state.x[i];
@@ -112,7 +112,7 @@ TEST(FlatColumns, CarryStateForceAndLoadOfAHandCalculatedState) {
   Vehicle vehicle = paperVehicle();
   vehicle.wheelsets[0].mass = 1500.0;
   vehicle.points = {pointOn("cab", "carbody", 7.0), pointOn("on_rear", "rear_bogie", -4.0)};
-  const auto form = buildFlatForm(vehicle, kGravity);
+  const auto form = buildFlatForm(compile(vehicle, kGravity));
   //                            zk    phi   z1    z2    zk'   phi'  z1'   z2'
   const std::vector<double> x = {2e-3, 1e-3, 3e-3, -1e-3, 0.04, 0.02, 0.01, -0.03};
   //                            eta1  eta2  eta3 eta4  rates                 accelerations
@@ -155,7 +155,7 @@ TEST(FlatColumns, CarryStateForceAndLoadOfAHandCalculatedState) {
 
 // What the suspensions say must be what moves the bodies, front and rear unequal.
 TEST(FlatColumns, SuspensionForcesAreThoseThatAccelerateTheBodies) {
-  const auto form = buildFlatForm(asymmetricVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(asymmetricVehicle(), kGravity));
   for (const RandomState& state : randomStates(1000, 8, 4)) {
     const Columns y(*form, state.x, state.u);
     const double fs1 = y["secondary_front.force"];
@@ -171,11 +171,11 @@ TEST(FlatColumns, SuspensionForcesAreThoseThatAccelerateTheBodies) {
 }
 
 TEST(FlatColumns, OfThePrintedVariantsKeepTheSuspensionLaw) {
-  const auto right = buildFlatForm(paperVehicle(), kGravity);
+  const auto right = buildFlatForm(compile(paperVehicle(), kGravity));
   const auto state = randomStates(1, 8, 4).front();
   const Columns expected(*right, state.x, state.u);
   for (const FlatVariant variant : {FlatVariant::kPrinted7, FlatVariant::kLiteral, FlatVariant::kLiteralMb}) {
-    const auto form = buildFlatForm(paperVehicle(), kGravity, variant);
+    const auto form = buildFlatForm(compile(paperVehicle(), kGravity), variant);
     const Columns y(*form, state.x, state.u);
     EXPECT_EQ(y["secondary_rear.force"], expected["secondary_rear.force"]);
     EXPECT_EQ(y["wheelset_3.load"], expected["wheelset_3.load"]);
@@ -190,8 +190,8 @@ TEST(FlatColumns, OfThePrintedVariantsKeepTheSuspensionLaw) {
 TEST(FlatLoads, ByTheLeverRuleAreThoseOfTheRestPosition) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), heightsVehicle()}) {
     const Topology topology = topologyOf(vehicle);
-    const FlatLayout layout = readLayout(vehicle, topology).layout;
-    const FlatLoads loads = flatLoads(topology, layout, kGravity);
+    const FlatLayout layout = readLayout(topology).layout;
+    const FlatLoads loads = flatLoads(compile(vehicle, kGravity), layout);
     const Rest rest = restOf(topology, kGravity);
     for (std::size_t i = 0; i < 2; ++i) {
       const double expected = rest.suspension_load[static_cast<std::size_t>(layout.secondary[i])];
@@ -210,7 +210,7 @@ TEST(FlatLoads, KeepGivenPreloadsAndWheelLoads) {
   Vehicle vehicle = paperVehicle();
   named(vehicle.suspensions, "primary_1").preload = 150e3;
   vehicle.wheelsets[3].load = 190e3;
-  const auto form = buildFlatForm(vehicle, kGravity);
+  const auto form = buildFlatForm(compile(vehicle, kGravity));
   const Columns y(*form, std::vector<double>(8, 0.0), std::vector<double>(12, 0.0));
   const double bogie = 37.5e3 * kGravity;
   EXPECT_EQ(y["wheelset_1.load"], 150e3);
@@ -219,13 +219,13 @@ TEST(FlatLoads, KeepGivenPreloadsAndWheelLoads) {
 }
 
 TEST(FlatLoads, RefuseAGravityThatPointsUpward) {
-  EXPECT_THROW(static_cast<void>(buildFlatForm(paperVehicle(), -9.81)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(buildFlatForm(compile(paperVehicle(), -9.81))), std::invalid_argument);
 }
 
 // Attachments h below the CG add -mk g h to the pitch stiffness, and to nothing else.
 TEST(FlatHeights, AddTheStaticLoadTermToPitch) {
-  const StateSpace without = buildFlatForm(paperVehicle(), kGravity)->linear().value();
-  const StateSpace with = buildFlatForm(heightsVehicle(0.5), kGravity)->linear().value();
+  const StateSpace without = buildFlatForm(compile(paperVehicle(), kGravity))->linear().value();
+  const StateSpace with = buildFlatForm(compile(heightsVehicle(0.5), kGravity))->linear().value();
   Eigen::MatrixXd difference = with.A - without.A;
   const double expected = 57e3 * kGravity * 0.5 / 70e3;
   EXPECT_WITHIN(difference(5, 1), expected, 1e-15 * std::abs(without.A(5, 1)));  // rounding of 2 ak^2 ck / Jk
@@ -237,7 +237,7 @@ TEST(FlatHeights, AddTheStaticLoadTermToPitch) {
 TEST(FlatForm, LinearIsTheRightHandSide) {
   for (const FlatVariant variant :
        {FlatVariant::kConsistent, FlatVariant::kPrinted7, FlatVariant::kLiteral, FlatVariant::kLiteralMb}) {
-    const auto form = buildFlatForm(paperVehicle(), kGravity, variant);
+    const auto form = buildFlatForm(compile(paperVehicle(), kGravity), variant);
     const StateSpace matrices = form->linear().value();
     for (const RandomState& state : randomStates(100, 8, 4)) {
       Eigen::VectorXd dx(8);
@@ -250,7 +250,7 @@ TEST(FlatForm, LinearIsTheRightHandSide) {
 }
 
 TEST(FlatForm, DerivativeAndOutputNeverAllocate) {
-  const auto form = buildFlatForm(asymmetricVehicle(), kGravity);
+  const auto form = buildFlatForm(compile(asymmetricVehicle(), kGravity));
   const RandomState state = randomStates(1, 8, 4).front();
   std::vector<double> dx(8), y(form->outputs().size());
   const long before = allocations();

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/flat/flat_train.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 #include "tests/support/allocations.h"
 #include "tests/support/eigenvalues.h"
 #include "tests/support/random_state.h"
@@ -85,13 +85,13 @@ TEST(FlatTrain, WithoutCouplingForcesIsItsVehiclesAlone) {
   loose.couplings.clear();
   for (const Train& train : {slack, loose}) {
     const Vehicle whole = assembled(train);
-    const auto form = buildFlatTrain(whole, kGravity);
+    const auto form = buildFlatTrain(compile(whole, kGravity));
     const Topology topology = topologyOf(whole);
     for (const RandomState& state : statesOf(*form, 10)) {
       const std::vector<double> y = outputOf(*form, state);
       for (std::size_t unit = 0; unit < 3; ++unit) {
         const Vehicle own = unit == 1 ? paperVehicle() : asymmetricVehicle();
-        const auto alone = buildFlatForm(own, kGravity);
+        const auto alone = buildFlatForm(compile(own, kGravity));
         const std::vector<double> expected =
             outputOf(*alone, stateOfUnit(topology, state, topologyOf(own), whole.units[unit].name));
         for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(FlatTrain, WithoutCouplingForcesIsItsVehiclesAlone) {
 TEST(FlatTrain, LiftedAsAWholeStaysAtRest) {
   const Vehicle whole = assembled(mixedTrain());
   const Topology topology = topologyOf(whole);
-  const auto form = buildFlatTrain(whole, kGravity);
+  const auto form = buildFlatTrain(compile(whole, kGravity));
   RandomState lifted{std::vector<double>(24, 0.0), std::vector<double>(36, 0.0)};
   for (const TopologyBody& body : topology.bodies) lifted.x[static_cast<std::size_t>(body.z_index)] = 0.01;
   for (std::size_t j = 0; j < 12; ++j) lifted.u[j] = 0.01;
@@ -119,7 +119,7 @@ TEST(FlatTrain, LiftedAsAWholeStaysAtRest) {
 TEST(FlatTrain, OnAStraightInclineIsARigidChain) {
   const Vehicle whole = assembled(equalTrain(paperVehicle(), 4, 16.0));
   const Topology topology = topologyOf(whole);
-  const auto form = buildFlatTrain(whole, kGravity);
+  const auto form = buildFlatTrain(compile(whole, kGravity));
   constexpr double kSlope = 1e-3;
   RandomState inclined{std::vector<double>(32, 0.0), std::vector<double>(48, 0.0)};
   for (const TopologyBody& body : topology.bodies) {
@@ -137,8 +137,8 @@ TEST(FlatTrain, OnAStraightInclineIsARigidChain) {
 
 // Hooke at one coupling: the carbody ahead a height h higher, all else at rest. (8.1)-(8.3) with ends at 8 m.
 TEST(FlatTrain, ACouplingPullsTheHigherCarbodyDownAndBothNosesUp) {
-  const auto form = buildFlatTrain(assembled(equalTrain(paperVehicle(), 2, 16.0)), kGravity);
-  const auto lone = buildFlatForm(paperVehicle(), kGravity);
+  const auto form = buildFlatTrain(compile(assembled(equalTrain(paperVehicle(), 2, 16.0)), kGravity));
+  const auto lone = buildFlatForm(compile(paperVehicle(), kGravity));
   RandomState state{std::vector<double>(16, 0.0), std::vector<double>(24, 0.0)};
   state.x[0] = 2e-3;
   RandomState own{std::vector<double>(8, 0.0), std::vector<double>(12, 0.0)};
@@ -158,7 +158,7 @@ TEST(FlatTrain, ACouplingPullsTheHigherCarbodyDownAndBothNosesUp) {
 TEST(FlatTrain, InertiaForcesDoTheWorkOfTheSuspensions) {
   const Vehicle whole = assembled(mixedTrain());
   const Topology topology = topologyOf(whole);
-  const auto form = buildFlatTrain(whole, kGravity);
+  const auto form = buildFlatTrain(compile(whole, kGravity));
   for (const RandomState& state : statesOf(*form, 20)) {
     const std::vector<double> dx = derivativeOf(*form, state);
     const std::vector<double> y = outputOf(*form, state);
@@ -189,7 +189,7 @@ TEST(FlatTrain, InertiaForcesDoTheWorkOfTheSuspensions) {
 TEST(FlatTrain, MassTimesAccelerationMatrixIsSymmetric) {
   const Vehicle whole = assembled(mixedTrain());
   const Topology topology = topologyOf(whole);
-  const Eigen::MatrixXd A = buildFlatTrain(whole, kGravity)->linear()->A;
+  const Eigen::MatrixXd A = buildFlatTrain(compile(whole, kGravity))->linear()->A;
   const Eigen::Index n = topology.coordinates;
   Eigen::VectorXd mass(n);
   for (const TopologyBody& body : topology.bodies) {
@@ -218,7 +218,7 @@ std::vector<std::complex<double>> sortedEigenvalues(const Eigen::MatrixXd& A) {
 // matrix of one vehicle.
 TEST(FlatTrain, OfTwoEqualVehiclesHasEvenAndOddModes) {
   constexpr double kEnd = 8.0, kStiffness = 50e3, kDamping = 20e3;
-  const Eigen::MatrixXd one = buildFlatForm(paperVehicle(), kGravity)->linear()->A;
+  const Eigen::MatrixXd one = buildFlatForm(compile(paperVehicle(), kGravity))->linear()->A;
   std::vector<std::complex<double>> expected;
   for (const bool even : {true, false}) {
     Eigen::MatrixXd A = one;
@@ -235,7 +235,7 @@ TEST(FlatTrain, OfTwoEqualVehiclesHasEvenAndOddModes) {
     return std::abs(a.imag() - b.imag()) > 1e-6 ? a.imag() < b.imag() : a.real() < b.real();
   });
   const auto actual =
-      sortedEigenvalues(buildFlatTrain(assembled(equalTrain(paperVehicle(), 2, 16.0)), kGravity)->linear()->A);
+      sortedEigenvalues(buildFlatTrain(compile(assembled(equalTrain(paperVehicle(), 2, 16.0)), kGravity))->linear()->A);
   ASSERT_EQ(actual.size(), expected.size());
   for (std::size_t i = 0; i < actual.size(); ++i) {
     // Backward error of the QR iteration, 1e-15 |A| = 1e-12, times condition numbers of order 10.
@@ -245,7 +245,7 @@ TEST(FlatTrain, OfTwoEqualVehiclesHasEvenAndOddModes) {
 
 // Both are f(x, u) by the same functions; only the way the numbers are brought together differs.
 TEST(FlatTrain, GivesTheBitsOfItsEquations) {
-  const auto form = buildFlatTrain(assembled(mixedTrain()), kGravity);
+  const auto form = buildFlatTrain(compile(assembled(mixedTrain()), kGravity));
   const EquationSet* set = form->equations();
   ASSERT_NE(set, nullptr);
   ASSERT_EQ(set->equations().size(), 12u);
@@ -271,7 +271,7 @@ TEST(FlatTrain, GivesTheBitsOfItsEquations) {
 }
 
 TEST(FlatTrain, MatricesAreThoseOfTheDerivative) {
-  const auto form = buildFlatTrain(assembled(mixedTrain()), kGravity);
+  const auto form = buildFlatTrain(compile(assembled(mixedTrain()), kGravity));
   const StateSpace matrices = *form->linear();
   for (const RandomState& state : statesOf(*form, 5)) {
     const Eigen::Map<const Eigen::VectorXd> x(state.x.data(), 24), u(state.u.data(), 24);
@@ -293,8 +293,8 @@ TEST(FlatTrain, IsFoundInAnyOrderOfTheFile) {
   Suspension& coupling = named(turned.suspensions, "coupling_1");
   std::swap(coupling.upper, coupling.lower);
   std::swap(coupling.x, *coupling.x_lower);
-  const auto form = buildFlatTrain(train, kGravity);
-  const auto other = buildFlatTrain(turned, kGravity);
+  const auto form = buildFlatTrain(compile(train, kGravity));
+  const auto other = buildFlatTrain(compile(turned, kGravity));
   for (const RandomState& state : statesOf(*form, 10)) {
     RandomState moved = state;
     for (std::size_t i = 0; i < 16; ++i) {
@@ -315,21 +315,21 @@ TEST(FlatTrain, IsFoundInAnyOrderOfTheFile) {
 // Static loads are each vehicle's own; a coupling that is given a load passes it on, as restOf() says.
 TEST(FlatTrain, CarriesStaticLoadsAtHeights) {
   Vehicle train = assembled(equalTrain(heightsVehicle(), 3, 16.0));
-  const double alone = buildFlatForm(heightsVehicle(), kGravity)->parameters().k_g;
-  const auto form = buildFlatTrain(train, kGravity);
+  const double alone = buildFlatForm(compile(heightsVehicle(), kGravity))->parameters().k_g;
+  const auto form = buildFlatTrain(compile(train, kGravity));
   for (const FlatParameters& each : form->vehicles()) {
     EXPECT_WITHIN(each.k_g, alone, 1e-13 * std::abs(alone));  // loads of 3e5 N, arms off by 1e-15 m
   }
   named(train.suspensions, "coupling_2").preload = 10e3;
   named(train.suspensions, "coupling_2").z_upper = 1.1;
-  const auto loaded = buildFlatTrain(train, kGravity);
+  const auto loaded = buildFlatTrain(compile(train, kGravity));
   const Rest rest = restOf(topologyOf(train), kGravity);
   EXPECT_EQ(loaded->vehicles()[1].k_g, rest.pitch_stiffness[3]);
   EXPECT_GT(std::abs(loaded->vehicles()[1].k_g - alone), 1e3);  // 1 m x 10 kN, and the loads that move
 }
 
 TEST(FlatTrain, DerivativeAndOutputNeverAllocate) {
-  const auto form = buildFlatTrain(assembled(mixedTrain()), kGravity);
+  const auto form = buildFlatTrain(compile(assembled(mixedTrain()), kGravity));
   const RandomState state = statesOf(*form, 1).front();
   std::vector<double> dx(state.x.size()), y(form->outputs().size());
   const long before = allocations();
@@ -339,7 +339,7 @@ TEST(FlatTrain, DerivativeAndOutputNeverAllocate) {
 }
 
 TEST(FlatTrain, RefusesMatricesOfAVeryLongOne) {
-  const auto form = buildFlatTrain(assembled(equalTrain(paperVehicle(), 251, 16.0)), kGravity);
+  const auto form = buildFlatTrain(compile(assembled(equalTrain(paperVehicle(), 251, 16.0)), kGravity));
   try {
     (void)form->linear();
     FAIL() << "accepted";
@@ -350,14 +350,15 @@ TEST(FlatTrain, RefusesMatricesOfAVeryLongOne) {
 }
 
 TEST(FlatSystem, IsTheFlatFormOfAVehicleAndATrainOfSeveral) {
-  EXPECT_NE(dynamic_cast<FlatForm*>(buildFlatSystem(paperVehicle(), kGravity).get()), nullptr);
-  EXPECT_NE(dynamic_cast<FlatForm*>(buildFlatSystem(assembled(equalTrain(paperVehicle(), 1, 16.0)), kGravity).get()),
-            nullptr);
-  EXPECT_NE(dynamic_cast<FlatTrain*>(buildFlatSystem(assembled(mixedTrain()), kGravity).get()), nullptr);
-  EXPECT_EQ(flatSystemMisfits(assembled(mixedTrain())).text(), "");
-  EXPECT_EQ(flatSystemMisfits(paperVehicle()).text(), "");
-  EXPECT_EQ(flatSystemMisfits(bogiePitchVehicle()).text(),
-            flatMisfits(bogiePitchVehicle(), FlatVariant::kConsistent).text());
+  EXPECT_NE(dynamic_cast<FlatForm*>(buildFlatSystem(compile(paperVehicle(), kGravity)).get()), nullptr);
+  EXPECT_NE(
+      dynamic_cast<FlatForm*>(buildFlatSystem(compile(assembled(equalTrain(paperVehicle(), 1, 16.0)), kGravity)).get()),
+      nullptr);
+  EXPECT_NE(dynamic_cast<FlatTrain*>(buildFlatSystem(compile(assembled(mixedTrain()), kGravity)).get()), nullptr);
+  EXPECT_EQ(flatSystemMisfits(topologyOf(assembled(mixedTrain()))).text(), "");
+  EXPECT_EQ(flatSystemMisfits(topologyOf(paperVehicle())).text(), "");
+  EXPECT_EQ(flatSystemMisfits(topologyOf(bogiePitchVehicle())).text(),
+            flatMisfits(topologyOf(bogiePitchVehicle()), FlatVariant::kConsistent).text());
 }
 
 TEST(FlatSystem, TellsTheMisfitsOfVehiclesFromOneFileOnce) {
@@ -366,12 +367,12 @@ TEST(FlatSystem, TellsTheMisfitsOfVehiclesFromOneFileOnce) {
     train.vehicles[0].vehicle.bodies[b].origin.file = "coach.xml";
     train.vehicles[0].vehicle.bodies[b].origin.line = 40 + static_cast<int>(b);
   }
-  EXPECT_EQ(flatSystemMisfits(assembled(train)).text(),
+  EXPECT_EQ(flatSystemMisfits(topologyOf(assembled(train))).text(),
             "coach.xml:41: error: <vehicle><body name=\"coach_1.front_bogie\">: has a pitch motion; the form flat "
             "computes the bounce of a bogie and no pitch; take the form matrix, which computes both\n"
             "coach.xml:42: error: <vehicle><body name=\"coach_1.rear_bogie\">: has a pitch motion; the form flat "
             "computes the bounce of a bogie and no pitch; take the form matrix, which computes both\n");
-  EXPECT_THROW((void)buildFlatSystem(assembled(train), kGravity), InvalidInput);
+  EXPECT_THROW((void)buildFlatSystem(compile(assembled(train), kGravity)), InvalidInput);
 }
 
 TEST(FlatSystem, RefusesCouplingsThatMakeNoChain) {
@@ -379,18 +380,18 @@ TEST(FlatSystem, RefusesCouplingsThatMakeNoChain) {
   Suspension second = named(train.suspensions, "coupling_1");
   second.name = "spare";
   train.suspensions.push_back(second);
-  EXPECT_EQ(flatSystemMisfits(train).text(),
+  EXPECT_EQ(flatSystemMisfits(topologyOf(train)).text(),
             "error: <suspension name=\"spare\">: stands beside \"coupling_1\" between the same vehicles; the form "
             "flat computes one coupling there; take the form matrix, which computes any train\n");
   train.suspensions.back().lower = "coach_3.carbody";
-  EXPECT_EQ(flatSystemMisfits(train).text(),
+  EXPECT_EQ(flatSystemMisfits(topologyOf(train)).text(),
             "error: <suspension name=\"spare\">: joins \"coach_1.carbody\" to \"coach_3.carbody\", which do not "
             "follow each other; the form flat computes couplings between neighbours; take the form matrix, which "
             "computes any train\n");
 }
 
 TEST(FlatSystem, ThePrintedVariantsKnowOneVehicle) {
-  EXPECT_EQ(flatMisfits(assembled(equalTrain(paperVehicle(), 2, 16.0)), FlatVariant::kLiteral).text(),
+  EXPECT_EQ(flatMisfits(topologyOf(assembled(equalTrain(paperVehicle(), 2, 16.0))), FlatVariant::kLiteral).text(),
             "error: <train name=\"equal\">: is a train; the printed equations are of one vehicle; take the form "
             "flat\n");
 }

@@ -24,6 +24,8 @@ class ExpressionSystem : public System {
     for (int i = 0; i < states; ++i) states_.push_back({"part" + std::to_string(i) + ".z", "m"});
   }
   [[nodiscard]] int channels() const override { return channels_; }
+  /// An expression may be of first order: its states are the rates of nothing.
+  [[nodiscard]] StateLayout layout() const override { return {.internal = static_cast<int>(states_.size())}; }
   [[nodiscard]] const std::vector<Channel>& states() const override { return states_; }
   [[nodiscard]] const std::vector<Channel>& outputs() const override { return states_; }
   void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {

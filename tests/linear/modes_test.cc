@@ -200,6 +200,7 @@ TEST(ModesOf, RefusesWhatIsNotAStateMatrix) {
 class Nonlinear : public System {
  public:
   [[nodiscard]] int channels() const override { return 1; }
+  [[nodiscard]] StateLayout layout() const override { return {.coordinates = 1}; }
   [[nodiscard]] const std::vector<Channel>& states() const override { return states_; }
   [[nodiscard]] const std::vector<Channel>& outputs() const override { return states_; }
   void derivative(std::span<const double>, std::span<const double>, std::span<double>) const override {}

@@ -20,6 +20,7 @@ class Chain : public System {
     for (std::size_t i = 0; i < N_; ++i) channels_.push_back({std::string("m").append(std::to_string(i)).append(".vz"), "m/s"});
   }
   int channels() const override { return 0; }
+  StateLayout layout() const override { return {.coordinates = static_cast<int>(N_)}; }
   const std::vector<Channel>& states() const override { return channels_; }
   const std::vector<Channel>& outputs() const override { return channels_; }
   void derivative(std::span<const double> x, std::span<const double>, std::span<double> dx) const override {

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/matrix/matrix_form.h"
+#include "libvehicle/model/topology.h"
 #include "tests/matrix/published_vehicles.h"
 #include "tests/support/eigenvalues.h"
 #include "tests/support/tolerance.h"
@@ -34,7 +34,7 @@ double smallestEigenvalue(const Eigen::MatrixXd& matrix) {
 
 TEST(Matrices, AreSymmetricAndDefiniteOnTheRail) {
   for (const Vehicle& vehicle : vehiclesWithoutHeights()) {
-    const auto form = buildMatrixForm(vehicle, kGravity);
+    const auto form = buildMatrixForm(compile(vehicle, kGravity));
     const SecondOrder& matrices = form->matrices();
     // r^T r is symmetric bit for bit, and so is a sum of such.
     EXPECT_EQ(asymmetryOf(matrices.K), 0.0) << vehicle.name;
@@ -53,7 +53,7 @@ TEST(Matrices, AreSymmetricAndDefiniteOnTheRail) {
 // Bodies and rail together by h: K lift = B0 1, C lift = B1 1.
 TEST(UniformLift, LeavesNoForce) {
   for (const Vehicle& vehicle : vehiclesWithoutHeights()) {
-    const auto form = buildMatrixForm(vehicle, kGravity);
+    const auto form = buildMatrixForm(compile(vehicle, kGravity));
     const SecondOrder& matrices = form->matrices();
     const Topology topology = topologyOf(vehicle);
     Eigen::VectorXd lift = Eigen::VectorXd::Zero(topology.coordinates);
@@ -73,7 +73,7 @@ TEST(UniformLift, LeavesNoForce) {
 // Pitching the whole vehicle about any point, the rail with it, is as rigid as a lift.
 TEST(UniformPitch, LeavesNoForceWhereEverythingPitches) {
   for (const Vehicle& vehicle : {bogiePitchVehicle(), asymmetricBogiePitchVehicle(), contactVehicle()}) {
-    const auto form = buildMatrixForm(vehicle, kGravity);
+    const auto form = buildMatrixForm(compile(vehicle, kGravity));
     const Topology topology = topologyOf(vehicle);
     Eigen::VectorXd turn = Eigen::VectorXd::Zero(topology.coordinates);
     Eigen::VectorXd rail(form->channels());
@@ -110,7 +110,7 @@ TEST(OneBodyOnOneWheelset, HasTheTextbookMatrices) {
   Vehicle vehicle = oneBodyOnOneWheelset();
   vehicle.wheelsets[0].contact_stiffness = 1.9e9;
   vehicle.wheelsets[0].contact_damping = 5e3;
-  const auto form = buildMatrixForm(vehicle, kGravity);
+  const auto form = buildMatrixForm(compile(vehicle, kGravity));
   const SecondOrder& matrices = form->matrices();
   EXPECT_EQ(matrices.M, (Eigen::MatrixXd(2, 2) << 8e3, 0, 0, 1.5e3).finished());
   EXPECT_EQ(matrices.K, (Eigen::MatrixXd(2, 2) << 1.2e6, -1.2e6, -1.2e6, 1.2e6 + 1.9e9).finished());
@@ -122,14 +122,14 @@ TEST(OneBodyOnOneWheelset, HasTheTextbookMatrices) {
 TEST(OneBodyOnOneWheelset, TakesAHertzContactAtItsStaticLoad) {
   Vehicle vehicle = oneBodyOnOneWheelset();
   vehicle.wheelsets[0].hertz_constant = 150e9;
-  const auto form = buildMatrixForm(vehicle, kGravity);
+  const auto form = buildMatrixForm(compile(vehicle, kGravity));
   const double hertz = 1.5 * std::pow(150e9, 2.0 / 3.0) * std::pow(9.5e3 * kGravity, 1.0 / 3.0);
   EXPECT_WITHIN(form->matrices().B0(1, 0), hertz, 1e-13 * hertz);  // pow against cbrt
   EXPECT_WITHIN(form->matrices().K(1, 1), 1.2e6 + hertz, 1e-13 * hertz);
 }
 
 TEST(OneBodyOnOneWheelset, WithoutContactFollowsTheRail) {
-  const auto form = buildMatrixForm(oneBodyOnOneWheelset(), kGravity);
+  const auto form = buildMatrixForm(compile(oneBodyOnOneWheelset(), kGravity));
   const SecondOrder& matrices = form->matrices();
   EXPECT_EQ(matrices.M, Eigen::MatrixXd::Constant(1, 1, 8e3));
   EXPECT_EQ(matrices.K, Eigen::MatrixXd::Constant(1, 1, 1.2e6));
@@ -139,7 +139,7 @@ TEST(OneBodyOnOneWheelset, WithoutContactFollowsTheRail) {
 
 // K_phi = 2 ak^2 ck - mk g h.
 TEST(Heights, SoftenThePitchOfACarbodyOnAttachmentsBelowItsCentreOfGravity) {
-  const auto form = buildMatrixForm(heightsVehicle(0.5), kGravity);
+  const auto form = buildMatrixForm(compile(heightsVehicle(0.5), kGravity));
   const double expected = 2 * 3.725 * 3.725 * 2660e3 - 57e3 * kGravity * 0.5;
   EXPECT_WITHIN(form->matrices().K(1, 1), expected, 1e-15 * expected);
 }
@@ -147,7 +147,7 @@ TEST(Heights, SoftenThePitchOfACarbodyOnAttachmentsBelowItsCentreOfGravity) {
 // The bogie: 2 b^2 cp, its primaries' loads at h below its CG, and the carbody's load on it at the same height.
 TEST(Heights, SoftenThePitchOfABogieByItsOwnAndTheCarbodysLoad) {
   const double h = 0.3;
-  const auto form = buildMatrixForm(bogiePitchHeightsVehicle(h), kGravity);
+  const auto form = buildMatrixForm(compile(bogiePitchHeightsVehicle(h), kGravity));
   const double primaries = -(2615.0 + 16e3) * kGravity * h;
   const double secondary = 16e3 * kGravity * h;
   const double expected = 2 * 1.28 * 1.28 * 2440e3 + primaries + secondary;
@@ -155,8 +155,8 @@ TEST(Heights, SoftenThePitchOfABogieByItsOwnAndTheCarbodysLoad) {
 }
 
 TEST(Heights, WithoutGravityChangeNothing) {
-  const auto with = buildMatrixForm(heightsVehicle(0.5), 0.0);
-  const auto without = buildMatrixForm(paperVehicle(), 0.0);
+  const auto with = buildMatrixForm(compile(heightsVehicle(0.5), 0.0));
+  const auto without = buildMatrixForm(compile(paperVehicle(), 0.0));
   EXPECT_EQ(with->matrices().K, without->matrices().K);
 }
 
@@ -170,7 +170,7 @@ Vehicle vehicleOf(const PublishedVehicle& numbers) {
 // Our own computation in another program, four decimals: half a unit of the last.
 TEST(PublishedVehicles, HaveTheUndampedFrequenciesOfTheIndependentForm) {
   for (const PublishedVehicle& published : publishedVehicles()) {
-    const auto form = buildMatrixForm(vehicleOf(published), kGravity);
+    const auto form = buildMatrixForm(compile(vehicleOf(published), kGravity));
     const SecondOrder& matrices = form->matrices();
     const Eigen::VectorXd squares = test::squaredFrequenciesOf(matrices.K, matrices.M);
     for (std::size_t i = 0; i < 6; ++i) {
@@ -182,7 +182,7 @@ TEST(PublishedVehicles, HaveTheUndampedFrequenciesOfTheIndependentForm) {
 
 TEST(PublishedVehicles, HaveTheDampedFrequenciesOfTheIndependentForm) {
   for (const PublishedVehicle& published : publishedVehicles()) {
-    const StateSpace matrices = buildMatrixForm(vehicleOf(published), kGravity)->linear().value();
+    const StateSpace matrices = buildMatrixForm(compile(vehicleOf(published), kGravity))->linear().value();
     const std::vector<std::complex<double>> upper = test::oscillationsOf(matrices.A);
     for (std::size_t i = 0; i < published.damped.size(); ++i) {
       EXPECT_WITHIN(std::abs(upper[i]) / (2 * std::numbers::pi), published.damped[i].first, 0.5e-4) << published.name;

@@ -51,7 +51,7 @@ std::vector<double> computedAlone(const EquationSet& set, const std::vector<doub
 // Exact: the sums inside an equation run in one order, whoever computes them.
 TEST(MatrixEquationSet, GivesTheBitsOfTheFormFromEveryCut) {
   for (const Vehicle& vehicle : vehicles()) {
-    const auto form = buildMatrixForm(vehicle, kGravity);
+    const auto form = buildMatrixForm(compile(vehicle, kGravity));
     const EquationSet& set = *form->equations();
     ASSERT_EQ(set.size(), form->size());
     const int equations = set.size() / 2;
@@ -77,7 +77,7 @@ TEST(MatrixEquationSet, GivesTheBitsOfTheFormFromEveryCut) {
 }
 
 TEST(MatrixEquationSet, CountsFromTheFrontAndReadsNeighboursOnly) {
-  const auto form = buildMatrixForm(assembled(equalTrain(bogiePitchVehicle(), 4, 26.0)), kGravity);
+  const auto form = buildMatrixForm(compile(assembled(equalTrain(bogiePitchVehicle(), 4, 26.0)), kGravity));
   const std::vector<Equation>& equations = form->equations()->equations();
   ASSERT_EQ(equations.size(), 24u);
   EXPECT_EQ(equations[0].name, "coach_1.front_bogie.z");
@@ -95,8 +95,8 @@ TEST(MatrixEquationSet, CountsFromTheFrontAndReadsNeighboursOnly) {
 TEST(MatrixForm, OfATrainGivesTheAccelerationsAndColumnsOfTheFlatForm) {
   for (const Train& train : {mixedTrain(), equalTrain(heightsVehicle(), 3, 16.0)}) {
     const Vehicle vehicle = assembled(train);
-    const auto matrix = buildMatrixForm(vehicle, kGravity);
-    const auto flat = buildFlatTrain(vehicle, kGravity);
+    const auto matrix = buildMatrixForm(compile(vehicle, kGravity));
+    const auto flat = buildFlatTrain(compile(vehicle, kGravity));
     for (const RandomState& state : randomStates(20, at(flat->size()), at(flat->channels()))) {
       std::vector<double> a(state.x.size()), b(state.x.size()), y(flat->outputs().size()), z(y.size());
       matrix->derivative(state.x, state.u, a);
@@ -118,7 +118,8 @@ TEST(MatrixForm, OfATrainGivesTheAccelerationsAndColumnsOfTheFlatForm) {
 
 // Stiffness, damping: symmetric by construction, not by luck.
 TEST(MatrixForm, OfATrainHasSymmetricMatrices) {
-  const SecondOrder m = buildMatrixForm(assembled(equalTrain(contactVehicle(), 5, 26.0)), kGravity)->matrices();
+  const SecondOrder m =
+      buildMatrixForm(compile(assembled(equalTrain(contactVehicle(), 5, 26.0)), kGravity))->matrices();
   EXPECT_EQ(m.K, m.K.transpose());
   EXPECT_EQ(m.C, m.C.transpose());
 }
@@ -128,7 +129,7 @@ TEST(MatrixForm, OfATrainHasSymmetricMatrices) {
 TEST(MatrixForm, OfALongTrainCostsNoMoreThanItsVehicles) {
   const Vehicle vehicle = assembled(equalTrain(bogiePitchVehicle(), 300, 26.0));
   const auto begin = std::chrono::steady_clock::now();
-  const auto form = buildMatrixForm(vehicle, kGravity);
+  const auto form = buildMatrixForm(compile(vehicle, kGravity));
   const RandomState state = randomStates(1, at(form->size()), at(form->channels())).front();
   std::vector<double> dx(state.x.size());
   for (int i = 0; i < 100; ++i) form->derivative(state.x, state.u, dx);

@@ -7,8 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/matrix/matrix_form.h"
+#include "libvehicle/model/layout.h"
+#include "libvehicle/model/topology.h"
 #include "tests/support/allocations.h"
 #include "tests/support/columns.h"
 #include "tests/support/random_state.h"
@@ -31,7 +32,7 @@ std::vector<RandomState> statesFor(const System& form, int count) {
 
 TEST(MatrixForm, NamesStatesAndColumnsAsEveryForm) {
   for (const Vehicle& vehicle : allVehicles()) {
-    const auto form = buildMatrixForm(vehicle, kGravity);
+    const auto form = buildMatrixForm(compile(vehicle, kGravity));
     EXPECT_EQ(form->states(), stateChannels(topologyOf(vehicle)));
     EXPECT_EQ(form->outputs(), resultChannels(topologyOf(vehicle)));
     EXPECT_EQ(form->channels(), 4);
@@ -43,7 +44,7 @@ TEST(MatrixForm, NamesStatesAndColumnsAsEveryForm) {
 // Newton and Euler for every body and wheelset, from the columns alone: what the suspensions say is what moves them.
 TEST(MatrixColumns, SuspensionForcesAreThoseThatAccelerateTheBodies) {
   for (const Vehicle& vehicle : allVehicles()) {
-    const auto form = buildMatrixForm(vehicle, kGravity);
+    const auto form = buildMatrixForm(compile(vehicle, kGravity));
     const Topology topology = topologyOf(vehicle);
     const Columns rest(*form, std::vector<double>(form->states().size(), 0.0), std::vector<double>(12, 0.0));
     for (const RandomState& state : statesFor(*form, 100)) {
@@ -84,7 +85,7 @@ TEST(MatrixColumns, SuspensionForcesAreThoseThatAccelerateTheBodies) {
 }
 
 TEST(MatrixColumns, OfAContactAreItsCompressionTimesItsStiffness) {
-  const auto form = buildMatrixForm(contactVehicle(), kGravity);
+  const auto form = buildMatrixForm(compile(contactVehicle(), kGravity));
   std::vector<double> x(20, 0.0), u(12, 0.0);
   x[6] = -2e-5;   // wheelset_1.z: 20 um into the rail
   x[16] = -1e-2;  // wheelset_1.vz
@@ -107,7 +108,7 @@ TEST(MatrixColumns, OfAPointFollowItsPitchingBody) {
   tip.body = "front_bogie";
   tip.x = 11.5;  // 2 m ahead of the bogie's CG
   vehicle.points = {tip};
-  const auto form = buildMatrixForm(vehicle, kGravity);
+  const auto form = buildMatrixForm(compile(vehicle, kGravity));
   const RandomState state = statesFor(*form, 1).front();
   const Columns y(*form, state.x, state.u);
   EXPECT_WITHIN(y["tip.z"], y["front_bogie.z"] + 2.0 * y["front_bogie.pitch"], 1e-17);
@@ -117,7 +118,7 @@ TEST(MatrixColumns, OfAPointFollowItsPitchingBody) {
 
 TEST(MatrixForm, LinearIsTheRightHandSide) {
   for (const Vehicle& vehicle : allVehicles()) {
-    const auto form = buildMatrixForm(vehicle, kGravity);
+    const auto form = buildMatrixForm(compile(vehicle, kGravity));
     const StateSpace matrices = form->linear().value();
     for (const RandomState& state : statesFor(*form, 100)) {
       Eigen::VectorXd dx(form->size());
@@ -137,8 +138,8 @@ TEST(MatrixForm, ReorderedFilePermutesTheResultsAndChangesNothingElse) {
   std::reverse(turned.bodies.begin(), turned.bodies.end());
   std::rotate(turned.wheelsets.begin(), turned.wheelsets.begin() + 1, turned.wheelsets.end());
   std::reverse(turned.suspensions.begin(), turned.suspensions.end());
-  const auto form = buildMatrixForm(vehicle, kGravity);
-  const auto other = buildMatrixForm(turned, kGravity);
+  const auto form = buildMatrixForm(compile(vehicle, kGravity));
+  const auto other = buildMatrixForm(compile(turned, kGravity));
   for (const RandomState& state : statesFor(*form, 100)) {
     std::vector<double> x(12), u(12);
     for (std::size_t i = 0; i < 12; ++i) {
@@ -161,7 +162,7 @@ TEST(MatrixForm, ReorderedFilePermutesTheResultsAndChangesNothingElse) {
 TEST(MatrixForm, KeepsAGivenWheelLoad) {
   Vehicle vehicle = bogiePitchVehicle();
   vehicle.wheelsets[1].load = 123e3;
-  const auto form = buildMatrixForm(vehicle, kGravity);
+  const auto form = buildMatrixForm(compile(vehicle, kGravity));
   const Columns y(*form, std::vector<double>(12, 0.0), std::vector<double>(12, 0.0));
   EXPECT_EQ(y["wheelset_2.load"], 123e3);
 }
@@ -170,7 +171,7 @@ TEST(BuildMatrixForm, RefusesAContradictoryVehicleWithItsProblems) {
   Vehicle vehicle = paperVehicle();
   vehicle.bodies[0].mass = -57e3;
   try {
-    static_cast<void>(buildMatrixForm(vehicle, kGravity));
+    static_cast<void>(buildMatrixForm(compile(vehicle, kGravity)));
     FAIL() << "a negative mass was accepted";
   } catch (const InvalidInput& wrong) {
     EXPECT_EQ(wrong.problems().text(), check(vehicle).text());
@@ -180,11 +181,11 @@ TEST(BuildMatrixForm, RefusesAContradictoryVehicleWithItsProblems) {
 TEST(BuildMatrixForm, RefusesAVehicleThatNothingMoves) {
   Vehicle vehicle = paperVehicle();
   for (Body& each : vehicle.bodies) each.motion = {Motion::kRoll};
-  EXPECT_THROW(static_cast<void>(buildMatrixForm(vehicle, kGravity)), InvalidInput);
+  EXPECT_THROW(static_cast<void>(buildMatrixForm(compile(vehicle, kGravity))), InvalidInput);
 }
 
 TEST(MatrixForm, DerivativeAndOutputNeverAllocate) {
-  const auto form = buildMatrixForm(hertzVehicle(), kGravity);
+  const auto form = buildMatrixForm(compile(hertzVehicle(), kGravity));
   const RandomState state = statesFor(*form, 1).front();
   std::vector<double> dx(state.x.size()), y(form->outputs().size());
   const long before = allocations();

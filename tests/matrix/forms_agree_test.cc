@@ -38,8 +38,8 @@ std::vector<Vehicle> flatVehicles() {
 
 TEST(FlatAndMatrix, GiveTheSameRatesAtAThousandStates) {
   for (const Vehicle& vehicle : flatVehicles()) {
-    const auto flat = buildFlatForm(vehicle, kGravity);
-    const auto matrix = buildMatrixForm(vehicle, kGravity);
+    const auto flat = buildFlatForm(compile(vehicle, kGravity));
+    const auto matrix = buildMatrixForm(compile(vehicle, kGravity));
     ASSERT_EQ(flat->states(), matrix->states());
     for (const RandomState& state : randomStates(1000, 8, 4)) {
       std::vector<double> one(8), other(8);
@@ -65,8 +65,8 @@ double scaleOf(const std::vector<Channel>& channels, const std::vector<double>& 
 
 TEST(FlatAndMatrix, GiveTheSameColumnsAtAThousandStates) {
   for (const Vehicle& vehicle : flatVehicles()) {
-    const auto flat = buildFlatForm(vehicle, kGravity);
-    const auto matrix = buildMatrixForm(vehicle, kGravity);
+    const auto flat = buildFlatForm(compile(vehicle, kGravity));
+    const auto matrix = buildMatrixForm(compile(vehicle, kGravity));
     ASSERT_EQ(flat->outputs(), matrix->outputs());
     for (const RandomState& state : randomStates(1000, 8, 4)) {
       const Columns one(*flat, state.x, state.u);
@@ -88,8 +88,8 @@ TEST(FlatAndMatrix, GiveTheSameColumnsAtAThousandStates) {
 // Entry by entry: a sum cannot hide a wrong small one.
 TEST(FlatAndMatrix, HaveTheSameStateSpace) {
   for (const Vehicle& vehicle : flatVehicles()) {
-    const StateSpace flat = buildFlatForm(vehicle, kGravity)->linear().value();
-    const StateSpace matrix = buildMatrixForm(vehicle, kGravity)->linear().value();
+    const StateSpace flat = buildFlatForm(compile(vehicle, kGravity))->linear().value();
+    const StateSpace matrix = buildMatrixForm(compile(vehicle, kGravity))->linear().value();
     for (Eigen::Index row = 0; row < 8; ++row) {
       // A row is a sum over suspensions: entries that cancel (bounce on pitch) keep roundings of its largest one.
       EXPECT_WITHIN((flat.A.row(row) - matrix.A.row(row)).cwiseAbs().maxCoeff(), 0.0,
@@ -107,8 +107,8 @@ TEST(BogiePitch, LeavesTheRowsOfTheFourDegreesOfFreedomAlone) {
   for (Body& each : four.bodies) {
     if (each.name != "carbody") each.motion = {Motion::kZ};
   }
-  const auto flat = buildFlatForm(four, kGravity);
-  const auto matrix = buildMatrixForm(six, kGravity);
+  const auto flat = buildFlatForm(compile(four, kGravity));
+  const auto matrix = buildMatrixForm(compile(six, kGravity));
   constexpr std::array<std::size_t, 4> kInSix = {0, 1, 2, 4};  // zk, phi, z1, z2 among zk, phi, z1, th1, z2, th2
   for (const RandomState& state : randomStates(1000, 12, 4)) {
     std::vector<double> x(8), dx(8), dx_six(12);
@@ -128,7 +128,7 @@ TEST(BogiePitch, LeavesTheRowsOfTheFourDegreesOfFreedomAlone) {
 
 // ... but the wheels under a pitching bogie share its load differently.
 TEST(BogiePitch, ChangesWheelLoads) {
-  const auto form = buildMatrixForm(bogiePitchVehicle(), kGravity);
+  const auto form = buildMatrixForm(compile(bogiePitchVehicle(), kGravity));
   std::vector<double> x(12, 0.0);
   const std::vector<double> u(12, 0.0);
   x[3] = 1e-3;  // the front bogie's nose up by 1 mrad: its leading axle's spring stretches by 1.28 mm

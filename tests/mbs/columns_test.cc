@@ -7,10 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/mbs/mbs_form.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/layout.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 #include "tests/support/columns.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
@@ -22,7 +23,7 @@ constexpr double kGravity = 9.81;  // [m/s^2]
 
 TEST(MbsColumns, AreThoseOfEveryForm) {
   for (const MbsLaw law : {MbsLaw::kLinear, MbsLaw::kTrue}) {
-    const auto form = buildMbsForm(contactVehicle(), kGravity, law);
+    const auto form = buildMbsForm(compile(contactVehicle(), kGravity), law);
     const Topology topology = topologyOf(contactVehicle());
     EXPECT_EQ(form->states(), stateChannels(topology));
     EXPECT_EQ(form->outputs(), resultChannels(topology));
@@ -31,7 +32,7 @@ TEST(MbsColumns, AreThoseOfEveryForm) {
 }
 
 TEST(MbsColumns, CarryStateAccelerationAndSuspensionForce) {
-  const auto form = buildMbsForm(paperVehicle(), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(paperVehicle(), kGravity), MbsLaw::kLinear);
   const std::vector<double> x = {2e-3, 1e-3, -1e-3, 3e-3, 0.02, -0.01, 0.03, 0.05};
   const std::vector<double> u = {1e-3, 2e-3, -1e-3, 4e-3, 0.1, 0.2, -0.1, 0.3, 1.0, 2.0, 3.0, 4.0};
   const Columns y(*form, x, u);
@@ -56,7 +57,7 @@ TEST(MbsColumns, CarryStateAccelerationAndSuspensionForce) {
 
 // A quarter of 57 t and two bogies of 9 t rest on each wheelset; a spring that pulls takes load off it.
 TEST(MbsColumns, WheelLoadIsTheStaticLoadLessThePullOfThePrimary) {
-  const auto form = buildMbsForm(paperVehicle(), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(paperVehicle(), kGravity), MbsLaw::kLinear);
   const std::vector<double> u(12, 0.0);
   const double static_load = 75e3 / 4.0 * kGravity;
   EXPECT_WITHIN((Columns(*form, std::vector<double>(8, 0.0), u)["wheelset_1.load"]), static_load, 1e-9);  // rounding
@@ -67,7 +68,7 @@ TEST(MbsColumns, WheelLoadIsTheStaticLoadLessThePullOfThePrimary) {
 
 TEST(MbsColumns, WheelLoadOfAMassThatFollowsTheRailHoldsItsInertia) {
   for (const MbsLaw law : {MbsLaw::kLinear, MbsLaw::kTrue}) {
-    const auto form = buildMbsForm(bogiePitchVehicle(), kGravity, law);
+    const auto form = buildMbsForm(compile(bogiePitchVehicle(), kGravity), law);
     const std::vector<double> x(12, 0.0);
     std::vector<double> u(12, 0.0);
     const double still = Columns(*form, x, u)["wheelset_3.load"];
@@ -80,7 +81,7 @@ TEST(MbsColumns, WheelLoadOfAMassThatFollowsTheRailHoldsItsInertia) {
 
 TEST(MbsColumns, WheelLoadOverAContactIsItsCompression) {
   for (const MbsLaw law : {MbsLaw::kLinear, MbsLaw::kTrue}) {
-    const auto form = buildMbsForm(contactVehicle(), kGravity, law);
+    const auto form = buildMbsForm(compile(contactVehicle(), kGravity), law);
     const Rest rest = restOf(topologyOf(contactVehicle()), kGravity);
     std::vector<double> x(20, 0.0), u(12, 0.0);
     x[6] = 1e-5;         // wheelset_1.z
@@ -100,7 +101,7 @@ TEST(MbsColumns, PointOfATrueBodyMovesOnACircle) {
   Vehicle made = paperVehicle();
   made.points = {pointOn("floor", "carbody", 2.0)};
   const std::vector<double> x = {0.01, 0.3, 0.0, 0.0, 0.1, 0.7, 0.0, 0.0}, u(12, 0.0);
-  const auto form = buildMbsForm(made, kGravity, MbsLaw::kTrue);
+  const auto form = buildMbsForm(compile(made, kGravity), MbsLaw::kTrue);
   const Columns y(*form, x, u);
   // Rounding of sums of about 1 m, 1 m/s and, over the springs, 1e3 m/s^2.
   EXPECT_WITHIN(y["floor.z"], 0.01 + 2.0 * std::sin(0.3), 2e-15);
@@ -113,7 +114,7 @@ TEST(MbsColumns, PointOfALinearBodyMovesOnALine) {
   Vehicle made = paperVehicle();
   made.points = {pointOn("floor", "carbody", 2.0)};
   const std::vector<double> x = {0.01, 0.3, 0.0, 0.0, 0.1, 0.7, 0.0, 0.0}, u(12, 0.0);
-  const auto form = buildMbsForm(made, kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(made, kGravity), MbsLaw::kLinear);
   const Columns y(*form, x, u);
   EXPECT_EQ(y["floor.z"], 0.01 + 2.0 * 0.3);
   EXPECT_EQ(y["floor.vz"], 0.1 + 2.0 * 0.7);
@@ -123,7 +124,7 @@ TEST(MbsColumns, PointOfALinearBodyMovesOnALine) {
 TEST(MbsColumns, AContradictoryVehicleIsRefused) {
   Vehicle made = paperVehicle();
   named(made.suspensions, "primary_1").upper = "no_such_body";
-  EXPECT_THROW((void)buildMbsForm(made, kGravity, MbsLaw::kLinear), InvalidInput);
+  EXPECT_THROW((void)buildMbsForm(compile(made, kGravity), MbsLaw::kLinear), InvalidInput);
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/mbs/mbs_form.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
 
@@ -61,7 +61,7 @@ std::vector<Sum> paperAccelerations(const std::vector<double>& x, const std::vec
 }
 
 TEST(MbsLinear, RightHandSideIsThatOfThePapersEquationsAtRandomStates) {
-  const auto form = buildMbsForm(paperVehicle(), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(paperVehicle(), kGravity), MbsLaw::kLinear);
   std::mt19937_64 generator(20170704);
   std::vector<double> dx(8);
   for (int draw = 0; draw < 1000; ++draw) {
@@ -170,7 +170,7 @@ struct Named {
 class MbsLinearTopology : public ::testing::TestWithParam<Named> {};
 
 TEST_P(MbsLinearTopology, RightHandSideFollowsTheAssemblyRule) {
-  const auto form = buildMbsForm(GetParam().vehicle, kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(GetParam().vehicle, kGravity), MbsLaw::kLinear);
   const Topology topology = topologyOf(GetParam().vehicle);
   const Rest rest = restOf(topology, kGravity);
   const Rule rule(topology, rest);
@@ -189,7 +189,7 @@ TEST_P(MbsLinearTopology, RightHandSideFollowsTheAssemblyRule) {
 }
 
 TEST_P(MbsLinearTopology, MatricesReproduceTheRightHandSide) {
-  const auto form = buildMbsForm(GetParam().vehicle, kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(GetParam().vehicle, kGravity), MbsLaw::kLinear);
   const std::optional<StateSpace> matrices = form->linear();
   ASSERT_TRUE(matrices.has_value());
   const Eigen::Index n = form->size(), w = form->channels();

@@ -74,7 +74,7 @@ TEST(SimbodyRun, BumpBetweenOutputSamplesHasTheClosedForm) {
   const double w = M_PI / 0.02, amplitude = 0.01, start = 0.113, end = start + 0.02;
   const Input input(1, {flat(1, 0.0, start, 0.0), sine(start, end, amplitude, w), flat(1, end, 3.0, 0.0)});
   const Schedule schedule(input, 0.05);
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const BaseExcitedMass left(0.0, 0.0, 0.0, amplitude, w, 0.02);
   double worst = 0.0, peak = 0.0;
   int next = 0;
@@ -103,7 +103,7 @@ TEST(SimbodyRun, BumpBetweenOutputSamplesHasTheClosedForm) {
 TEST(SimbodyRun, TheStepAfterAKinkStartsFromTheRightHandLimit) {
   const double w = M_PI / 0.02, amplitude = 0.01, start = 0.1135, end = start + 0.02;
   const Input input(1, {flat(1, 0.0, start, 0.0), sine(start, end, amplitude, w), flat(1, end, 0.5, 0.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const BaseExcitedMass left(0.0, 0.0, 0.0, amplitude, w, 0.02);
   double worst = 0.0;
   const std::vector<double> x0(2, 0.0);
@@ -123,7 +123,7 @@ TEST(SimbodyRun, TheStepAfterAKinkStartsFromTheRightHandLimit) {
 // On a kink that is an output sample the observer is told the segment that begins there.
 TEST(SimbodyRun, SampleOnAKinkBelongsToTheSegmentThatBegins) {
   const Input input(1, {flat(1, 0.0, 0.1, 0.0), sine(0.1, 0.3, 0.01, 5.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   std::vector<int> segments;
   form->runSimbody(input, Schedule(input, 0.05), 1e-9, std::vector<double>(2, 0.0),
                    [&](int, int segment, double, std::span<const double>) {
@@ -137,7 +137,7 @@ TEST(SimbodyRun, SampleOnAKinkBelongsToTheSegmentThatBegins) {
 TEST(SimbodyRun, AskingForColumnsOnTheWayChangesNoBit) {
   const Input input(1, {flat(1, 0.0, 0.08, 0.0), sine(0.08, 1.0, 0.01, 12.0)});
   const Schedule schedule(input, 0.05);
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kTrue);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kTrue);
   const auto last = [&](bool ask) {
     std::vector<double> reached, u(3), y(form->outputs().size());
     form->runSimbody(input, schedule, 1e-9, std::vector<double>(2, 0.0),
@@ -174,7 +174,7 @@ double energyOf(const std::vector<double>& x) {
 TEST(SimbodyRun, UndampedVehicleKeepsItsEnergyAtLargeAngles) {
   Vehicle made = heightsVehicle(0.5);
   for (Element& each : made.elements) each.damping_z = 0.0;
-  const auto form = buildMbsForm(made, kGravity, MbsLaw::kTrue);
+  const auto form = buildMbsForm(compile(made, kGravity), MbsLaw::kTrue);
   const Input input(4, {flat(4, 0.0, 5.0, 0.0)});
   const std::vector<double> x0 = {0.02, 0.15, -0.01, 0.005, 0.1, 0.0, 0.0, 0.2};
   const double stored = energyOf(x0);
@@ -191,7 +191,7 @@ TEST(SimbodyRun, UndampedVehicleKeepsItsEnergyAtLargeAngles) {
 
 TEST(SimbodyRun, TighterAccuracyTakesMoreSteps) {
   const Input input(1, {sine(0.0, 2.0, 0.01, 12.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const auto steps = [&](double accuracy) {
     return form->runSimbody(input, Schedule(input, 0.5), accuracy, std::vector<double>(2, 0.0),
                             [](int, int, double, std::span<const double>) { return true; }).steps;
@@ -201,7 +201,7 @@ TEST(SimbodyRun, TighterAccuracyTakesMoreSteps) {
 
 TEST(SimbodyRun, AnObserverEndsTheRun) {
   const Input input(1, {flat(1, 0.0, 1.0, 0.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   int seen = 0;
   const auto until = [&](int last) {
     seen = 0;
@@ -219,7 +219,7 @@ TEST(SimbodyRun, AnObserverEndsTheRun) {
 
 TEST(SimbodyRun, AnObserversExceptionPassesUntouched) {
   const Input input(1, {flat(1, 0.0, 1.0, 0.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const auto run = [&] {
     form->runSimbody(input, Schedule(input, 0.1), 1e-6, std::vector<double>(2, 0.0),
                      [](int, int, double, std::span<const double>) -> bool { throw std::out_of_range("disk"); });
@@ -240,7 +240,7 @@ std::string failureOf(const MbsForm& form, const Input& input, const std::vector
 
 TEST(SimbodyRun, NotANumberIsNamedWithItsTime) {
   const Input input(1, {flat(1, 0.0, 1.0, 0.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   EXPECT_EQ(failureOf(*form, input, {0.0, std::numeric_limits<double>::quiet_NaN()}),
             "simbody_rkm: mass.vz is nan at t = 0 s");
 }
@@ -248,7 +248,7 @@ TEST(SimbodyRun, NotANumberIsNamedWithItsTime) {
 // Finite at the start, beyond every number soon after: Simbody gives up or returns what is no number.
 TEST(SimbodyRun, AnExplodingMotionFailsWithTheTimeReached) {
   const Input input(1, {flat(1, 0.0, 1.0, 0.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const std::string said = failureOf(*form, input, {1e308, 1e308});
   EXPECT_EQ(said.substr(0, 13), "simbody_rkm: ") << said;
   EXPECT_NE(said.find("t = 0"), std::string::npos) << said;
@@ -256,7 +256,7 @@ TEST(SimbodyRun, AnExplodingMotionFailsWithTheTimeReached) {
 
 TEST(SimbodyRun, WrongArgumentsAreNamed) {
   const Input input(1, {flat(1, 0.0, 1.0, 0.0)});
-  const auto form = buildMbsForm(oneMass(kDamping), kGravity, MbsLaw::kLinear);
+  const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const auto said = [&](const Input& rail, double accuracy, std::size_t size) -> std::string {
     try {
       form->runSimbody(rail, Schedule(rail, 0.1), accuracy, std::vector<double>(size, 0.0),

@@ -13,7 +13,7 @@ namespace {
 
 /// A form of its own, a run of Simbody's integrator and many evaluations; all states and derivatives met.
 std::vector<double> work(MbsLaw law) {
-  const auto form = buildMbsForm(heightsVehicle(), 9.81, law);
+  const auto form = buildMbsForm(compile(heightsVehicle(), 9.81), law);
   InputSegment rail;
   rail.begin = 0.0;
   rail.end = 0.5;

@@ -25,7 +25,7 @@ TEST(MbsTrue, AtRestNothingAccelerates) {
   for (const Vehicle& made : {paperVehicle(), asymmetricVehicle(), asymmetricBogiePitchVehicle(), bogiePitchVehicle(),
                               contactVehicle(), hertzVehicle(), heightsVehicle(), bogiePitchHeightsVehicle(),
                               withHeights(contactVehicle(), 0.3), withHeights(asymmetricBogiePitchVehicle(), -0.2)}) {
-    const auto form = buildMbsForm(made, kGravity, MbsLaw::kTrue);
+    const auto form = buildMbsForm(compile(made, kGravity), MbsLaw::kTrue);
     for (const double rate : derivativeOf(*form, std::vector<double>(static_cast<std::size_t>(form->size()), 0.0))) {
       // Rounding of preloads of 3e5 N (4e-11 N) on the lightest part, 1.8 t: 3e-14 m/s^2; on the nimblest pitch,
       // 1.5 t m^2 with levers of 1 m, as much. An attachment misplaced by 1 mm shows at 1e-2.
@@ -38,7 +38,7 @@ TEST(MbsTrue, AtRestNothingAccelerates) {
 TEST(MbsTrue, AGivenWheelLoadDoesNotDisturbTheRest) {
   Vehicle made = contactVehicle();
   for (Wheelset& each : made.wheelsets) each.load = 120e3;
-  const auto form = buildMbsForm(made, kGravity, MbsLaw::kTrue);
+  const auto form = buildMbsForm(compile(made, kGravity), MbsLaw::kTrue);
   for (const double rate : derivativeOf(*form, std::vector<double>(20, 0.0))) {
     EXPECT_WITHIN(rate, 0.0, 5e-13);  // rounding, as above
   }
@@ -49,7 +49,7 @@ TEST(MbsTrue, AGivenWheelLoadDoesNotDisturbTheRest) {
 TEST(MbsTrue, DifferencedMatrixHasTheClosedFormWithStaticLoads) {
   const double mk = 57e3, jk = 70e3, mb = 9e3, ak = 3.725, cb = 3040e3, bb = 30e3, ck = 2660e3, bk = 100e3;
   const double h = 0.5;
-  const auto form = buildMbsForm(heightsVehicle(h), kGravity, MbsLaw::kTrue);
+  const auto form = buildMbsForm(compile(heightsVehicle(h), kGravity), MbsLaw::kTrue);
   const StateSpace differenced =
       differencedStateSpace(*form, std::vector<double>(8, 0.0), std::vector<double>(8, 0.0), 1e-4);
   const auto coupled = [&](double k, double p, double pitch_extra) {  // k, p: of one secondary and one primary
@@ -77,8 +77,8 @@ TEST(MbsTrue, LinearLawIsItsTangentAtRest) {
   for (const Vehicle& made : {asymmetricBogiePitchVehicle(), contactVehicle(), hertzVehicle(),
                               bogiePitchHeightsVehicle(), withHeights(asymmetricBogiePitchVehicle(), -0.2),
                               withHeights(contactVehicle(), 0.3)}) {
-    const auto truly = buildMbsForm(made, kGravity, MbsLaw::kTrue);
-    const auto linear = buildMbsForm(made, kGravity, MbsLaw::kLinear);
+    const auto truly = buildMbsForm(compile(made, kGravity), MbsLaw::kTrue);
+    const auto linear = buildMbsForm(compile(made, kGravity), MbsLaw::kLinear);
     EXPECT_FALSE(truly->linear().has_value());
     const std::vector<double> x(static_cast<std::size_t>(truly->size()), 0.0);
     const std::vector<double> u(2 * static_cast<std::size_t>(truly->channels()), 0.0);
@@ -95,8 +95,8 @@ TEST(MbsTrue, LinearLawIsItsTangentAtRest) {
 
 /// Largest difference of the two laws' accelerations over the largest acceleration, at a given shape of motion.
 double deviation(const Vehicle& made, double amplitude) {
-  const auto truly = buildMbsForm(made, kGravity, MbsLaw::kTrue);
-  const auto linear = buildMbsForm(made, kGravity, MbsLaw::kLinear);
+  const auto truly = buildMbsForm(compile(made, kGravity), MbsLaw::kTrue);
+  const auto linear = buildMbsForm(compile(made, kGravity), MbsLaw::kLinear);
   std::vector<double> x = {0.4, 1.0, -0.3, 0.7, 2.0, 5.0, -3.0, 1.0};
   for (double& each : x) each *= amplitude;
   const std::vector<double> a = derivativeOf(*truly, x), b = derivativeOf(*linear, x);
@@ -129,7 +129,7 @@ TEST(MbsTrue, WithHeightsDepartsInProportionToTheAmplitude) {
 TEST(MbsTrue, ForcesAtALargeAngleAreThoseOfTheAttachmentPoints) {
   const double phi = 0.4, z = 0.02, h = -0.5, arm = 3.725, mk = 57e3, jk = 70e3, k = 2660e3;
   const double preload = mk * kGravity / 2.0;
-  const auto form = buildMbsForm(heightsVehicle(0.5), kGravity, MbsLaw::kTrue);
+  const auto form = buildMbsForm(compile(heightsVehicle(0.5), kGravity), MbsLaw::kTrue);
   const std::vector<double> dx = derivativeOf(*form, {z, phi, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   double force = -mk * kGravity, moment = 0.0;
   for (const double a : {arm, -arm}) {

@@ -88,7 +88,7 @@ constexpr int kZk = 0, kZ1 = 2, kZ2 = 3;
 constexpr double kMk = 57e3, kMb = 9e3, kCb = 3040e3;
 
 StateSpace matricesOf(const std::string& form, const Vehicle& vehicle = paperVehicle()) {
-  return *buildForm(form, vehicle, 9.81)->linear();
+  return *buildForm(form, compile(vehicle, 9.81))->linear();
 }
 
 // Rows of A below the kinematic ones are -M^-1 K and -M^-1 C.
@@ -135,7 +135,7 @@ TEST(Errata, PrintedListOfSymbolsChangesTheBounceAsPrinted) {
 }
 
 TEST(Errata, EquationSevenIsTwoToFiveUnderTheReadingOfRowNine) {
-  const std::unique_ptr<FlatForm> form = buildFlatForm(paperVehicle(), 9.81);
+  const std::unique_ptr<FlatForm> form = buildFlatForm(compile(paperVehicle(), 9.81));
   const Equation7 seven = equation7(lettersOf(form->parameters(), Mapping::kConsistent));
   // Entry i of (7)'s state stands at kPlace[i] of (zk, phi, z1, z2, zk', phi', z1', z2').
   constexpr std::array<std::size_t, 8> kPlace = {2, 6, 3, 7, 0, 4, 1, 5};
@@ -202,7 +202,7 @@ TEST(Errata, EigenvaluesOfAllFourReadingsAreAsPrinted) {
       const Printed re = numbersIn(cells[column].substr(0, sign)).at(0);
       const Printed im = numbersIn(cells[column].substr(sign + 2)).at(0);
       double nearest = INFINITY;
-      for (const Mode& mode : modesOf(*buildForm(forms[column], paperVehicle(), 9.81))) {
+      for (const Mode& mode : modesOf(*buildForm(forms[column], compile(paperVehicle(), 9.81)))) {
         nearest = std::min(nearest, std::max(std::abs(mode.eigenvalue.real() - re.value) / re.half_digit,
                                              std::abs(mode.eigenvalue.imag() - im.value) / im.half_digit));
       }

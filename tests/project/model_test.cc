@@ -34,7 +34,7 @@ TEST(Model, KeepsWhatWasReadNotWhatTheFileHasBecome) {
   ASSERT_TRUE(readVehicle(folder.path("v.xml"), disk).ok());
   folder.put("v.xml", test::withLine(test::kVehicleLines, 3, R"(<body name="frame" mass="5 t" motion="z"/>)"));
   const Model model = readModel(folder.path("v.xml"), folder.path("s.xml"), disk);
-  EXPECT_EQ(model.vehicle.bodies[0].mass, 9e3);
+  EXPECT_EQ(model.vehicle.vehicle.bodies[0].mass, 9e3);
   EXPECT_EQ(model.inputs[0].text, test::textOf(test::kVehicleLines));
 }
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/excitation/excitation.h"
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/rest.h"
+#include "libvehicle/model/topology.h"
 #include "tests/simulate/histories.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/trains.h"
@@ -71,7 +71,7 @@ TEST(EnergyBalance, InputWorkIsStoredOrDissipatedOverTenSeconds) {
                                  asymmetricBogiePitchVehicle(), bogiePitchHeightsVehicle(), assembled(mixedTrain()),
                                  assembled(equalTrain(bogiePitchVehicle(), 2, 26.0))}) {
     for (const char* form : {"flat", "matrix", "mbs-linear"}) {
-      if (!formMisfits(form, vehicle).empty()) continue;
+      if (!formMisfits(form, topologyOf(vehicle)).empty()) continue;
       Scenario scenario = paperScenario(History::kExtended);
       scenario.run.output_step = 0.25e-3;
       const Balance balance = balanceOf(vehicle, scenario, form);

@@ -49,8 +49,10 @@ constexpr double kSameEquations = 1e-14;
 
 TEST(MbsLinear, HasTheFlatFormsRightHandSideAtRandomStates) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), heightsVehicle()}) {
-    EXPECT_WITHIN(rateDifference(*buildFlatForm(vehicle, 9.81), *buildMbsForm(vehicle, 9.81, MbsLaw::kLinear)), 0.0,
-                  kSameEquations) << vehicle.name;
+    EXPECT_WITHIN(
+        rateDifference(*buildFlatForm(compile(vehicle, 9.81)), *buildMbsForm(compile(vehicle, 9.81), MbsLaw::kLinear)),
+        0.0, kSameEquations)
+        << vehicle.name;
   }
 }
 
@@ -59,8 +61,10 @@ TEST(MbsLinear, HasTheMatrixFormsRightHandSideForEveryTopology) {
        {paperVehicle(), asymmetricVehicle(), bogiePitchVehicle(), asymmetricBogiePitchVehicle(), contactVehicle(),
         hertzVehicle(), heightsVehicle(), bogiePitchHeightsVehicle(), assembled(mixedTrain()),
         assembled(equalTrain(contactVehicle(), 2, 26.0))}) {
-    EXPECT_WITHIN(rateDifference(*buildMatrixForm(vehicle, 9.81), *buildMbsForm(vehicle, 9.81, MbsLaw::kLinear)), 0.0,
-                  kSameEquations) << vehicle.name;
+    EXPECT_WITHIN(rateDifference(*buildMatrixForm(compile(vehicle, 9.81)),
+                                 *buildMbsForm(compile(vehicle, 9.81), MbsLaw::kLinear)),
+                  0.0, kSameEquations)
+        << vehicle.name;
   }
 }
 
@@ -68,14 +72,17 @@ TEST(MbsLinear, HasTheFlatFormsRightHandSideForTrains) {
   for (const Train& train :
        {mixedTrain(), equalTrain(paperVehicle(), 4, 16.0), equalTrain(heightsVehicle(), 2, 16.0)}) {
     const Vehicle vehicle = assembled(train);
-    EXPECT_WITHIN(rateDifference(*buildFlatTrain(vehicle, 9.81), *buildMbsForm(vehicle, 9.81, MbsLaw::kLinear)), 0.0,
-                  kSameEquations) << train.name;
+    EXPECT_WITHIN(
+        rateDifference(*buildFlatTrain(compile(vehicle, 9.81)), *buildMbsForm(compile(vehicle, 9.81), MbsLaw::kLinear)),
+        0.0, kSameEquations)
+        << train.name;
   }
 }
 
 TEST(FlatForm, EqualsTheMatrixFormForAsymmetricVehicles) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle(), heightsVehicle()}) {
-    EXPECT_WITHIN(rateDifference(*buildFlatForm(vehicle, 9.81), *buildMatrixForm(vehicle, 9.81)), 0.0, kSameEquations)
+    EXPECT_WITHIN(rateDifference(*buildFlatForm(compile(vehicle, 9.81)), *buildMatrixForm(compile(vehicle, 9.81))), 0.0,
+                  kSameEquations)
         << vehicle.name;
   }
 }
@@ -117,14 +124,14 @@ std::vector<double> statesOf(const std::function<Statistics(const Observer&)>& r
 TEST(FlatByType, GivesTheBitsOfTheVirtualRun) {
   for (const Vehicle& vehicle : {paperVehicle(), asymmetricVehicle()}) {
     const Scenario scenario = paperScenario(History::kOnset);
-    const std::unique_ptr<FlatForm> form = buildFlatForm(vehicle, 9.81);
+    const std::unique_ptr<FlatForm> form = buildFlatForm(compile(vehicle, 9.81));
     const Input input = inputOf(scenario, topologyOf(vehicle), 20.0);
     const Schedule schedule(input, 5e-3);
     const std::vector<double> x0(8, 0.0);
     EXPECT_EQ(statesOf([&](const Observer& o) { return runFlatRk4(*form, input, schedule, {}, x0, o); }),
               statesOf([&](const Observer& o) { return runRk4(*form, input, schedule, {}, x0, o); })) << vehicle.name;
   }
-  const std::unique_ptr<FlatForm> form = buildFlatForm(paperVehicle(), 9.81);
+  const std::unique_ptr<FlatForm> form = buildFlatForm(compile(paperVehicle(), 9.81));
   const Input input = inputOf(paperScenario(History::kOnset), topologyOf(paperVehicle()), 20.0);
   const Schedule schedule(input, 5e-3);
   const std::vector<double> x0(8, 0.0);
@@ -164,11 +171,11 @@ TEST(Mbs, DifferencedAboutRestGivesTheMatrixFormsAWithAttachmentsBelowTheCentreO
   for (const Vehicle& vehicle :
        {heightsVehicle(), bogiePitchHeightsVehicle(), withHeights(asymmetricBogiePitchVehicle(), 0.5), paperVehicle(),
         withHeights(contactVehicle(), 0.3)}) {
-    const std::unique_ptr<MbsForm> mbs = buildMbsForm(vehicle, 9.81, MbsLaw::kTrue);
+    const std::unique_ptr<MbsForm> mbs = buildMbsForm(compile(vehicle, 9.81), MbsLaw::kTrue);
     const std::vector<double> x0(static_cast<std::size_t>(mbs->size()), 0.0);
     const std::vector<double> u0(2 * static_cast<std::size_t>(mbs->channels()), 0.0);
     const StateSpace differenced = differencedStateSpace(*mbs, x0, u0, 1e-5);
-    const StateSpace assembled = *buildMatrixForm(vehicle, 9.81)->linear();
+    const StateSpace assembled = *buildMatrixForm(compile(vehicle, 9.81))->linear();
     for (Eigen::Index row = 0; row < assembled.A.rows(); ++row) {
       const double scale = assembled.A.row(row).cwiseAbs().maxCoeff();
       EXPECT_WITHIN((differenced.A - assembled.A).row(row).cwiseAbs().maxCoeff() / scale, 0.0, 1e-6)
@@ -179,8 +186,8 @@ TEST(Mbs, DifferencedAboutRestGivesTheMatrixFormsAWithAttachmentsBelowTheCentreO
 
 // Without the static-load term the same comparison must fail, or it would prove nothing.
 TEST(Mbs, DifferencedAboutRestSeesTheStaticLoadTerm) {
-  const StateSpace with = *buildMatrixForm(heightsVehicle(), 9.81)->linear();
-  const StateSpace without = *buildMatrixForm(paperVehicle(), 9.81)->linear();
+  const StateSpace with = *buildMatrixForm(compile(heightsVehicle(), 9.81))->linear();
+  const StateSpace without = *buildMatrixForm(compile(paperVehicle(), 9.81))->linear();
   // k_g / Jk = - mk g h / Jk = - 57e3 * 9.81 * 0.5 / 70e3
   EXPECT_WITHIN(with.A(5, 1) - without.A(5, 1), 57e3 * 9.81 * 0.5 / 70e3, 1e-11);
 }

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/definition/train.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/flat/flat_train.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/partition/schemes/blocked_rk4.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "tests/support/delays.h"
@@ -67,7 +67,7 @@ struct Problem {
 };
 
 Problem flatProblem(const Vehicle& vehicle, History history, double duration = 1.0, double speed = 20.0) {
-  return Problem(vehicle, buildFlatForm(vehicle, kGravity), history, duration, speed);
+  return Problem(vehicle, buildFlatForm(compile(vehicle, kGravity)), history, duration, speed);
 }
 
 struct Way {
@@ -162,7 +162,7 @@ TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunFrom20To150KilometresAnHour) 
 
 TEST(PartitionedTrain, GivesTheBitsOfTheSerialRunForOneToSixteenThreads) {
   const Vehicle train = assembled(equalTrain(paperVehicle(), 17, 12.0));
-  const Problem problem(train, buildFlatTrain(train, kGravity), History::kOnset, 0.5);
+  const Problem problem(train, buildFlatTrain(compile(train, kGravity)), History::kOnset, 0.5);
   std::vector<Way> ways = {{Scheme::kSerial, EquationMap::kAuto, 1}};
   for (int threads = 1; threads <= 16; ++threads) ways.push_back({Scheme::kHalo, EquationMap::kAuto, threads});
   for (const int threads : {2, 5, 16}) {
@@ -176,7 +176,7 @@ TEST(PartitionedTrain, GivesTheBitsOfTheSerialRunForOneToSixteenThreads) {
 
 TEST(PartitionedTrain, GivesTheBitsOfTheSerialRunWhereNothingIsEqual) {
   const Vehicle train = assembled(mixedTrain());
-  const Problem problem(train, buildFlatTrain(train, kGravity), History::kOnset, 0.5);
+  const Problem problem(train, buildFlatTrain(compile(train, kGravity)), History::kOnset, 0.5);
   std::vector<Way> ways;
   for (const Scheme scheme : {Scheme::kStages, Scheme::kHalo, Scheme::kRows}) {
     for (int threads = 1; threads <= 12; ++threads) ways.push_back({scheme, EquationMap::kAuto, threads});

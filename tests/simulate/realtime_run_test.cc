@@ -30,7 +30,7 @@ RunChoice flatRun() {
 
 TEST(RealtimeRun, EveryStepIsMadeAndTheStatesAreThoseOfTheRunWithoutAClock) {
   const Scenario scenario = railFor(0.3);
-  const RealtimeRun run = simulateRealtime(test::paperVehicle(), scenario, flatRun(), 1e-3);
+  const RealtimeRun run = simulateRealtime(compile(test::paperVehicle(), 9.81), scenario, flatRun(), 1e-3);
   EXPECT_EQ(run.report.steps, 300);
   EXPECT_EQ(run.steps, 300);
   EXPECT_EQ(run.states_read + run.report.outputs_lost, 300);
@@ -41,7 +41,7 @@ TEST(RealtimeRun, EveryStepIsMadeAndTheStatesAreThoseOfTheRunWithoutAClock) {
   RunChoice choice = flatRun();
   choice.method = "rk4";
   const TimeHistory offline = simulate(test::paperVehicle(), scenario, choice).history;
-  const auto system = buildForm("flat", test::paperVehicle(), scenario.gravity);
+  const auto system = buildForm("flat", compile(test::paperVehicle(), scenario.gravity));
   ASSERT_EQ(run.state.size(), system->states().size());
   for (std::size_t i = 0; i < run.state.size(); ++i) {
     const std::vector<double> column = offline.column(system->states()[i].name);
@@ -54,7 +54,8 @@ TEST(RealtimeRun, EveryStepIsMadeAndTheStatesAreThoseOfTheRunWithoutAClock) {
 TEST(RealtimeRun, AKinkedRailAndAnotherFormRunToo) {
   RunChoice choice;
   choice.form = "matrix";
-  const RealtimeRun run = simulateRealtime(test::paperVehicle(), railFor(0.4, History::kOnset), choice, 4e-3);
+  const RealtimeRun run =
+      simulateRealtime(compile(test::paperVehicle(), 9.81), railFor(0.4, History::kOnset), choice, 4e-3);
   EXPECT_EQ(run.form, "matrix");
   EXPECT_EQ(run.report.steps, 100);
   EXPECT_GE(run.report.response.most, run.report.step.least);
@@ -62,7 +63,7 @@ TEST(RealtimeRun, AKinkedRailAndAnotherFormRunToo) {
 
 TEST(RealtimeRun, IsStoppedFromOutsideInTheMiddle) {
   // An hour, of which the first state that has come back is enough: the run ends long before on any machine.
-  const RealtimeRun run = simulateRealtime(test::paperVehicle(), railFor(3600.0), flatRun(), 1e-3,
+  const RealtimeRun run = simulateRealtime(compile(test::paperVehicle(), 9.81), railFor(3600.0), flatRun(), 1e-3,
                                            [](double share) { return share == 0.0; });
   EXPECT_TRUE(run.report.stopped);
   EXPECT_GT(run.report.steps, 0);
@@ -72,7 +73,7 @@ TEST(RealtimeRun, IsStoppedFromOutsideInTheMiddle) {
 
 std::string refusal(const Scenario& scenario, double period) {
   try {
-    static_cast<void>(simulateRealtime(test::paperVehicle(), scenario, flatRun(), period));
+    static_cast<void>(simulateRealtime(compile(test::paperVehicle(), 9.81), scenario, flatRun(), period));
   } catch (const std::invalid_argument& wrong) {
     return wrong.what();
   }

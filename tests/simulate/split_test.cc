@@ -128,9 +128,9 @@ TEST(Split, IsRefusedWhereBounceAndPitchDoNotPart) {
       "mass of the front bogie = 9000 kg, of the rear one = 9500 kg; take rk4";
   EXPECT_EQ(refusal(heavier, "flat", "rk4_split", 1), why);
   EXPECT_EQ(refusal(heavier, "flat", "rk4_split", 2), why);
-  EXPECT_EQ(methodMisfit("rk4_split", "flat", heavier, 9.81), why);
-  EXPECT_EQ(methodMisfit("rk4_split", "flat", paperVehicle(), 9.81), "");
-  EXPECT_EQ(methodMisfit("rk4_split", "flat", bogiePitchVehicle(), 9.81), "");
+  EXPECT_EQ(methodMisfit("rk4_split", "flat", compile(heavier, 9.81)), why);
+  EXPECT_EQ(methodMisfit("rk4_split", "flat", compile(paperVehicle(), 9.81)), "");
+  EXPECT_EQ(methodMisfit("rk4_split", "flat", compile(bogiePitchVehicle(), 9.81)), "");
   EXPECT_EQ(refusal(paperVehicle(), "matrix", "exact_split", 1),
             "the method exact_split runs the form flat, not matrix; take exact");
   EXPECT_EQ(refusal(paperVehicle(), "flat", "exact_split", 3),

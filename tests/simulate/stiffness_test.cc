@@ -64,7 +64,7 @@ std::string noteOf(const Vehicle& vehicle, const std::string& form, const std::s
   choice.form = form;
   choice.method = method;
   choice.relative = relative;
-  return stiffnessNote(vehicle, scenario, choice, simulate(vehicle, scenario, choice));
+  return stiffnessNote(compile(vehicle, scenario.gravity), scenario, choice, simulate(vehicle, scenario, choice));
 }
 
 /// One body on a wheelset whose contact is damped far beyond critically: that motion dies away within 30 us, and no

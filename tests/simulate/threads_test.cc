@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/integrate/run.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/simulate/simulate.h"
 #include "tests/support/vehicles.h"
 
@@ -51,7 +51,7 @@ TEST(Threads, OneLinearFormServesAllWithTheBitsOfTheSerialRun) {
   const Vehicle vehicle = paperVehicle();
   const Input input = inputOf(shortScenario(), topologyOf(vehicle), 20.0);
   for (const char* name : {"flat", "matrix", "flat-7-printed"}) {
-    const auto form = buildForm(name, vehicle, kGravity);
+    const auto form = buildForm(name, compile(vehicle, kGravity));
     for (const bool exact : {false, true}) {
       const std::vector<double> serial = trace(*form, input, exact);
       std::vector<std::vector<double>> met(kThreads);

@@ -68,8 +68,8 @@ TEST(TrainRun, LongTrainsAreRunByDopri5UnlessToldOtherwise) {
   const RunResult result = simulate(nine, scenario);
   EXPECT_EQ(result.form, "flat");
   EXPECT_EQ(result.method, "dopri5");
-  EXPECT_EQ(defaultMethod("flat", nine), "dopri5");
-  EXPECT_EQ(defaultMethod("flat", paperVehicle()), "exact");
+  EXPECT_EQ(defaultMethod("flat", topologyOf(nine)), "dopri5");
+  EXPECT_EQ(defaultMethod("flat", topologyOf(paperVehicle())), "exact");
   EXPECT_WITHIN(historyError(result.history, run(nine, scenario, "flat", "exact").history), 0.0, 1e-7);
 }
 

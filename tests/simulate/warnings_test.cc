@@ -16,10 +16,7 @@ namespace {
 
 constexpr double kGravity = 9.81;
 
-Warnings atRest(const Vehicle& vehicle, double gravity = kGravity) {
-  const Topology topology = topologyOf(vehicle);
-  return restWarnings(topology, restOf(topology, gravity), gravity);
-}
+Warnings atRest(const Vehicle& vehicle, double gravity = kGravity) { return restWarnings(compile(vehicle, gravity)); }
 
 std::set<WarningCode> codesOf(const Warnings& warnings) {
   std::set<WarningCode> codes;

@@ -39,7 +39,7 @@ std::vector<Mode> modesOfDesign(const Vehicle& vehicle, const StudyInputs& input
   Vehicle design = vehicle;
   std::vector<Scenario> scenarios = inputs.scenarios;
   apply(inputs.bound, values, design, scenarios);
-  return modesOf(*buildForm("matrix", design, 9.81));
+  return modesOf(*buildForm("matrix", compile(design, 9.81)));
 }
 
 // The published case: 31 values of the secondary stiffness. Where carbody pitch is overdamped (at 0.6 MN/m its roots

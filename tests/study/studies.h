@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "libvehicle/definition/bound_study.h"
+#include "libvehicle/model/bound_study.h"
 #include "libvehicle/study/plan/design_plan.h"
 #include "tests/support/studies.h"
 #include "tests/support/vehicles.h"

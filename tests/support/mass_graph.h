@@ -95,6 +95,7 @@ class MassGraph : public System {
 
   const MassEquations& set() const { return set_; }
   int channels() const override { return set_.channels(); }
+  StateLayout layout() const override { return {.coordinates = static_cast<int>(set_.equations().size())}; }
   const std::vector<Channel>& states() const override { return states_; }
   const std::vector<Channel>& outputs() const override { return states_; }
   const EquationSet* equations() const override { return &set_; }

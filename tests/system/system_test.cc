@@ -16,6 +16,7 @@ class StiffeningMass final : public System {
  public:
   explicit StiffeningMass(double hard) : hard_(hard) {}
   int channels() const override { return 1; }
+  StateLayout layout() const override { return {.coordinates = 1}; }
   const std::vector<Channel>& states() const override { return states_; }
   const std::vector<Channel>& outputs() const override { return states_; }
   void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {

@@ -15,6 +15,7 @@ class Oscillator : public System {
  public:
   Oscillator(double w, double zeta) : w_(w), zeta_(zeta) {}
   int channels() const override { return 1; }
+  StateLayout layout() const override { return {.coordinates = 1}; }
   const std::vector<Channel>& states() const override { return channels_; }
   const std::vector<Channel>& outputs() const override { return channels_; }
   void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {

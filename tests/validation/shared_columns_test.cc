@@ -122,7 +122,7 @@ TEST(SharedColumns, ThatDifferInTheirMapAloneAreTwoRuns) {
   ValidationChoice choice = flatChoice();
   choice.methods = {"rk4"};
   choice.shared = {{"rk4", "stages", 2, "auto"}, {"rk4", "stages", 2, "body"}, {"rk4", "stages", 2, "body"}};
-  const ValidationPlan plan = validationPlanOf(test::paperVehicle(), onsetFor(0.5), choice);
+  const ValidationPlan plan = validationPlanOf(compile(test::paperVehicle(), 9.81), choice);
   std::vector<std::string> shared;
   for (const RunKey& key : plan.runs) {
     if (!key.scheme.empty()) shared.push_back(key.text());

@@ -19,7 +19,7 @@ void expectFinite(const Value& value, const std::string& where) {
 
 void expectFinite(const ElementRow& row, const void* object, const std::string& text) {
   for (const AttributeRow& each : row.attributes) {
-    if (each.get != nullptr) expectFinite(each.get(object), each.name + " in\n" + text);
+    if (each.get != nullptr) expectFinite(each.get(object), std::string(each.name) + " in\n" + text);
   }
   for (const ElementRow& child : row.children) {
     for (std::size_t i = 0; child.count != nullptr && i < child.count(object); ++i) {

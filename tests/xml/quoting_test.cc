@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/bound_study.h"
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/definition/train.h"
+#include "libvehicle/model/bound_study.h"
 #include "libvehicle/xml/reader.h"
 #include "tests/xml/files.h"
 

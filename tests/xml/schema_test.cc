@@ -28,7 +28,7 @@ TEST(Schema, DefaultsAreThoseOfTheStructs) {
   visitTable([&defaults](const ElementRow& row) {
     for (const AttributeRow& each : row.attributes) {
       if (each.required || each.reserved) continue;
-      SCOPED_TRACE(row.name + " " + each.name);
+      SCOPED_TRACE(row.name + " " + std::string(each.name));
       const Value in_struct = each.get(row.fresh());
       if (each.fallback.empty()) {
         const bool nothing = std::holds_alternative<std::monostate>(in_struct) || in_struct == Value(std::string());
@@ -50,7 +50,7 @@ TEST(Schema, EveryAttributeFillsAMemberOfItsOwn) {
     if (row.text != nullptr) return;
     for (const AttributeRow& each : row.attributes) {
       if (each.reserved || each.kind == ValueKind::kFormat || !each.sets.empty()) continue;
-      SCOPED_TRACE(row.name + " " + each.name);
+      SCOPED_TRACE(row.name + " " + std::string(each.name));
       EXPECT_NE(each.get, nullptr);
       for (const AttributeRow& other : row.attributes) {
         if (&other == &each || other.get == nullptr || !other.sets.empty()) continue;
@@ -66,10 +66,10 @@ TEST(Schema, EveryRowHasASentenceAndAnExampleThatTheReaderAccepts) {
     EXPECT_EQ(row.example.find("<" + row.name), 0u) << row.name;
     std::set<std::string> names;
     for (const AttributeRow& each : row.attributes) {
-      SCOPED_TRACE(row.name + " " + each.name);
+      SCOPED_TRACE(row.name + " " + std::string(each.name));
       EXPECT_FALSE(each.sentence.empty());
-      EXPECT_TRUE(names.insert(each.name).second);
-      for (const std::string& other : each.sets) EXPECT_NE(row.attribute(other), nullptr) << other;
+      EXPECT_TRUE(names.emplace(each.name).second);
+      for (const std::string_view other : each.sets) EXPECT_NE(row.attribute(other), nullptr) << other;
       if (each.kind != ValueKind::kQuantity && !each.required) continue;
       const std::string example = exampleOf(each, row);
       const std::string value = example.substr(each.name.size() + 2, example.size() - each.name.size() - 3);

@@ -1,9 +1,7 @@
-#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/definition/parameter.h"
 #include "libvehicle/xml/reader.h"
 #include "libvehicle/xml/writer.h"
 #include "tests/support/test_folder.h"
@@ -101,57 +99,6 @@ TEST(StudyReader, TakesGoalsInEitherSpellingAndWritesOne) {
     EXPECT_NE(write(study).find(goal == Goal::kMinimise ? "goal=\"minimise\"" : "goal=\"maximise\""),
               std::string::npos);
   }
-}
-
-// Two lists of attributes exist, because `definition` may not see the schema table: they must say the same.
-template <class Owner>
-void expectParameters(const ElementRow& row, const void* parent, const std::string& prefix,
-                      const std::vector<ParameterOf<Owner>>& parameters, std::set<std::string>& met) {
-  for (const ElementRow& child : row.children) {
-    if (child.text != nullptr) continue;
-    for (std::size_t i = 0; i < child.count(parent); ++i) {
-      const void* part = child.at(parent, i);
-      const AttributeRow* name = child.attribute("name");
-      if (name != nullptr && name->kind == ValueKind::kName) {
-        const std::string part_name = std::get<std::string>(name->get(part));
-        for (const AttributeRow& each : child.attributes) {
-          if (each.kind != ValueKind::kQuantity || each.reserved || !each.sets.empty()) continue;
-          const std::string address = prefix + part_name + '.' + each.name;
-          const ParameterOf<Owner>* found = findParameter(parameters, address);
-          ASSERT_NE(found, nullptr) << address;
-          EXPECT_EQ(found->dimension, each.dimension) << address;
-          met.insert(address);
-        }
-      }
-      expectParameters(child, part, prefix, parameters, met);
-    }
-  }
-}
-
-TEST(XmlParameters, AreTheQuantitiesOfTheNamedPartsWithTheirDimensions) {
-  Vehicle vehicle;
-  vehicle.elements.emplace_back().name = "element";
-  vehicle.groups.emplace_back().name = "group";
-  vehicle.bodies.emplace_back().name = "body";
-  vehicle.wheelsets.emplace_back().name = "wheelset";
-  vehicle.suspensions.emplace_back().name = "suspension";
-  vehicle.points.emplace_back().name = "point";
-  std::set<std::string> met;
-  expectParameters(schemaOf(FileKind::kVehicle), &vehicle, "", parametersOf(vehicle), met);
-  EXPECT_EQ(met.size(), parametersOf(vehicle).size());
-
-  Scenario scenario;
-  scenario.track.emplace();
-  scenario.track->harmonics.emplace_back().name = "wave";
-  scenario.track->dips.emplace_back().name = "dip";
-  scenario.track->ramps.emplace_back().name = "ramp";
-  scenario.track->bumps.emplace_back().name = "bump";
-  scenario.rig.emplace();
-  scenario.rig->inputs.emplace_back().sines.emplace_back().name = "sine";
-  met.clear();
-  expectParameters(schemaOf(FileKind::kScenario), &scenario, "scenario.", parametersOf(scenario), met);
-  // speed, gravity, duration, distance, output_step and fade_in stand in parts without a name.
-  EXPECT_EQ(met.size() + 6, parametersOf(scenario).size());
 }
 
 }  // namespace

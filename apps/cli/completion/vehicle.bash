@@ -29,18 +29,18 @@ _vehicle() {
     --waiting) words="auto spin yield sleep" ;;
     --pinning) words="cores free" ;;
     --priority) words="normal raised fifo" ;;
-    --speed | --step | --rtol | --atol | --accuracy | --gravity | --every | --realtime | --jobs | --best) return ;;
+    --speed | --step | --rtol | --atol | --accuracy | --gravity | --every | --realtime | --jobs | --best | --set) return ;;
     --output | --trace | --timeline | --export | --write-best) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
   esac
   if [[ -z $words && $current == -* ]]; then
     case ${COMP_WORDS[1]} in
-      check) words=$common ;;
-      info) words="$common --gravity" ;;
-      simulate) words="$common --form --method $settings $sharing --output --overwrite" ;;
-      modes) words="$common --form --gravity" ;;
-      validate) words="$common --form --method $settings --serial --details --time-limit --allow-unjudged" ;;
-      profile) words="$common --form --method --speed --step $sharing $team --every --trace --timeline --overwrite --realtime" ;;
-      study) words="$common --output --resume --jobs --best --write-best --export --overwrite" ;;
+      check) words="$common --set" ;;
+      info) words="$common --gravity --set" ;;
+      simulate) words="$common --form --method $settings $sharing --set --output --overwrite" ;;
+      modes) words="$common --form --gravity --set" ;;
+      validate) words="$common --form --method $settings --set --serial --details --time-limit --allow-unjudged" ;;
+      profile) words="$common --form --method --speed --set --step $sharing $team --every --trace --timeline --overwrite --realtime" ;;
+      study) words="$common --output --resume --set --jobs --best --write-best --export --overwrite" ;;
       schema) words="--help --xsd --markdown" ;;
     esac
   fi

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "libvehicle/definition/bound_study.h"
+#include "libvehicle/model/bound_study.h"
 
 namespace vehicle {
 

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/ensemble/design.h"
 #include "libvehicle/ensemble/isa.h"
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/flat/flat_layout.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"
 #include "libvehicle/study/evaluate/path.h"
@@ -15,12 +15,11 @@ namespace vehicle {
 namespace {
 
 /// Why no lane of an ensemble can hold this study's designs; empty if it can.
-std::string whyNotFlat(const StudyInputs& inputs) {
+std::string whyNotFlat(const StudyInputs& inputs, const Topology& topology) {
   if (inputs.vehicle.units.size() > 1) return "the ensemble's lanes hold one vehicle, this is a train";
-  const ProblemList misfits = flatMisfits(inputs.vehicle, FlatVariant::kConsistent);
+  const ProblemList misfits = flatMisfits(topology, FlatVariant::kConsistent);
   if (!misfits.empty()) return firstProblem(misfits);
-  const Topology topology = topologyOf(inputs.vehicle);
-  const FlatLayout layout = readLayout(inputs.vehicle, topology).layout;
+  const FlatLayout layout = readLayout(topology).layout;
   for (const BoundMetric& each : inputs.bound.metrics) {
     if (each.metric.kind != MetricKind::kColumn || flatColumn(topology, layout, each.metric.subject)) continue;
     return "the ensemble has no column " + each.metric.subject;
@@ -80,7 +79,8 @@ Scenario steadyScenario(Scenario scenario) {
 PathChoice choosePath(const StudyInputs& inputs) {
   using enum PathChoice::Kind;
   PathChoice choice;
-  choice.why_not_flat = whyNotFlat(inputs);
+  const Topology topology = topologyOf(inputs.vehicle);
+  choice.why_not_flat = whyNotFlat(inputs, topology);
   const bool flat = choice.why_not_flat.empty();
   if (inputs.study.evaluation == Evaluation::kSteadyState) {
     requireSteady(inputs);
@@ -93,9 +93,9 @@ PathChoice choosePath(const StudyInputs& inputs) {
   if (flat) {
     choice.text = "runs by rk4 with steps of 1 ms or less, as the fastest motion asks, flat form, " + lanesText();
   } else {
-    const std::string form = defaultForm(inputs.vehicle);
-    choice.text = "runs by " + defaultMethod(form, inputs.vehicle) + ", " + form +
-                  " form, design by design: " + choice.why_not_flat;
+    const std::string form = defaultForm(topology);
+    choice.text =
+        "runs by " + defaultMethod(form, topology) + ", " + form + " form, design by design: " + choice.why_not_flat;
   }
   return choice;
 }

@@ -124,8 +124,9 @@ bool FlatBlock::startsAtRest(const Scenario& scenario) const {
 }
 
 std::array<double, 8> FlatBlock::startOf(const Scenario& scenario, const Input& rail_in_file_order) const {
-  const std::unique_ptr<FlatForm> form = buildFlatForm(vehicle_, scenario.gravity);
-  const std::vector<double> x0 = initialState(*form, vehicle_, scenario, rail_in_file_order);
+  const CompiledModel model = compileChecked(vehicle_, scenario.gravity);
+  const std::unique_ptr<FlatForm> form = buildFlatForm(model);
+  const std::vector<double> x0 = initialState(*form, model, scenario, rail_in_file_order);
   std::array<double, 8> start{};
   for (std::size_t i = 0; i < 8; ++i) start[i] = x0[static_cast<std::size_t>(form->stateOrder()[i])];
   return start;

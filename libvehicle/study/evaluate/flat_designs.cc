@@ -6,25 +6,12 @@
 
 namespace vehicle {
 
-namespace {
-
-/// Index of the part that differs between two lists of equal length.
-template <class Part>
-std::optional<std::size_t> changed(const std::vector<Part>& before, const std::vector<Part>& after) {
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (!(before[i] == after[i])) return i;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 FlatDesigns::FlatDesigns(const StudyInputs& inputs)
     : inputs_(inputs),
       vehicle_(inputs.vehicle),
       scenarios_(inputs.scenarios),
       topology_(topologyOf(inputs.vehicle)),
-      layout_(readLayout(inputs.vehicle, topology_).layout) {
+      layout_(readLayout(topology_).layout) {
   for (const StudyParameter& each : inputs.bound.parameters) {
     if (!each.in_vehicle) {
       targets_.emplace_back();
@@ -46,42 +33,23 @@ std::optional<std::string> FlatDesigns::set(std::span<const double> values) {
   return std::nullopt;
 }
 
-// Which number of which part a parameter is shows when it is written: no second table of names is needed.
 std::optional<FlatDesigns::Target> FlatDesigns::targetOf(const StudyParameter& parameter) const {
   const Vehicle& base = inputs_.vehicle;
-  if (!parameter.in_vehicle->valueIn(base)) return std::nullopt;  // whether it is given at all matters elsewhere
-  const double other = 2.0 * parameter.base + 1.0;
-  Vehicle probe = base;
-  parameter.in_vehicle->setIn(probe, other);
-  Target target;
-  if (const auto i = changed(base.elements, probe.elements)) {
-    target.number =
-        base.elements[*i].stiffness_z != probe.elements[*i].stiffness_z ? Number::kStiffness : Number::kDamping;
-    target.part = *i;
-    for (std::size_t s = 0; s < base.suspensions.size(); ++s) {
-      if (base.suspensions[s].element == base.elements[*i].name) target.spring.push_back(s);
-    }
-    return target;
+  const VehicleParameter& own = *parameter.in_vehicle;
+  if (!own.valueIn(base)) return std::nullopt;  // whether it is given at all matters elsewhere
+  const auto at = [&](Number number) { return Target{number, own.index, {}}; };
+  if (own.is<&Body::mass>()) return at(Number::kMass);
+  if (own.is<&Body::pitch_inertia>()) return at(Number::kInertia);
+  if (own.is<&Wheelset::mass>()) return at(Number::kWheelsetMass);
+  if (own.is<&Wheelset::load>()) return at(Number::kWheelsetLoad);
+  if (own.is<&Suspension::preload>()) return at(Number::kPreload);
+  const bool is_stiffness = own.is<&Element::stiffness_z>();
+  if (!is_stiffness && !own.is<&Element::damping_z>()) return std::nullopt;  // places, heights, the contact
+  Target target = at(is_stiffness ? Number::kStiffness : Number::kDamping);
+  for (std::size_t s = 0; s < base.suspensions.size(); ++s) {
+    if (base.suspensions[s].element == base.elements[own.index].name) target.spring.push_back(s);
   }
-  if (const auto i = changed(base.bodies, probe.bodies)) {
-    target.part = *i;
-    if (base.bodies[*i].mass != probe.bodies[*i].mass) return target;
-    target.number = Number::kInertia;
-    if (base.bodies[*i].pitch_inertia != probe.bodies[*i].pitch_inertia) return target;
-  }
-  if (const auto i = changed(base.wheelsets, probe.wheelsets)) {
-    target.part = *i;
-    target.number = Number::kWheelsetMass;
-    if (base.wheelsets[*i].mass != probe.wheelsets[*i].mass) return target;
-    target.number = Number::kWheelsetLoad;
-    if (base.wheelsets[*i].load != probe.wheelsets[*i].load) return target;
-  }
-  if (const auto i = changed(base.suspensions, probe.suspensions)) {
-    target.part = *i;
-    target.number = Number::kPreload;
-    if (base.suspensions[*i].preload != probe.suspensions[*i].preload) return target;
-  }
-  return std::nullopt;  // places and heights
+  return target;
 }
 
 // At least as strict as check(vehicle): what is not allowed here takes the long way and is judged there.
@@ -129,7 +97,7 @@ std::optional<std::string> FlatDesigns::setLong(std::span<const double> values) 
   apply(inputs_.bound, values, vehicle_, scenarios_);
   if (const ProblemList problems = check(vehicle_); !problems.empty()) return firstProblem(problems);
   topology_ = topologyOf(vehicle_);
-  FlatReading reading = readLayout(vehicle_, topology_);
+  FlatReading reading = readLayout(topology_);
   if (!reading.problems.empty()) return firstProblem(reading.problems);
   // Columns are looked up once, by the layout of the base: another front bogie would answer for the first one.
   if (!(reading.layout == layout_)) {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/ensemble/design.h"
 #include "libvehicle/flat/flat_layout.h"
+#include "libvehicle/model/topology.h"
 #include "libvehicle/study/study_inputs.h"
 
 namespace vehicle {

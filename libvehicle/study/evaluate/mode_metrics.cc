@@ -35,12 +35,12 @@ std::vector<std::string> namesOf(const ModeFollower& follower) {
 ModeMetrics::ModeMetrics(const StudyInputs& inputs)
     : inputs_(inputs), metrics_(modeMetricsOf(inputs)), vehicle_(inputs.vehicle), scenarios_(inputs.scenarios) {
   for (const StudyParameter& each : inputs.bound.parameters) base_values_.push_back(each.base);
-  if (!metrics_.empty()) form_ = defaultForm(inputs.vehicle);
+  if (!metrics_.empty()) form_ = defaultForm(topologyOf(inputs.vehicle));
 }
 
 ModeMetrics::Model ModeMetrics::modelOf(std::span<const double> values, const std::string& form) {
   apply(inputs_.bound, values, vehicle_, scenarios_);
-  const std::unique_ptr<System> system = buildForm(form, vehicle_, scenarios_.front().gravity);
+  const std::unique_ptr<System> system = buildForm(form, compile(vehicle_, scenarios_.front().gravity));
   return {system->linear().value().A, system->states()};
 }
 

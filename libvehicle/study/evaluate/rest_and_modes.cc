@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/statics/rest.h"
+#include "libvehicle/model/compiled_model.h"
 #include "libvehicle/study/evaluate/flat_block.h"
 
 namespace vehicle {
@@ -46,8 +46,9 @@ void RestAndModes::evaluate(DesignRows& rows) {
 
 void RestAndModes::evaluateRest(std::size_t row, DesignRows& rows) {
   apply(inputs_.bound, rows.parameters(row), vehicle_, scenarios_);
-  const Topology topology = topologyOf(vehicle_);
-  const Rest rest = restOf(topology, scenarios_.front().gravity);
+  const CompiledModel model = compile(vehicle_, scenarios_.front().gravity);
+  const Topology& topology = model.topology;
+  const Rest& rest = model.rest;
   for (const MetricPlace& each : rest_) {
     const std::size_t suspension = placeOf(topology.suspensions, each.metric.subject);
     double& value = rows.metric(row, each.place);

@@ -8,7 +8,6 @@
 #include "libvehicle/linear/steady_state.h"
 #include "libvehicle/simulate/simulate.h"
 #include "libvehicle/simulate/vehicle_warnings.h"
-#include "libvehicle/statics/rest.h"
 #include "libvehicle/study/evaluate/column_statistic.h"
 #include "libvehicle/study/evaluate/flat_block.h"
 #include "libvehicle/study/evaluate/path.h"
@@ -134,12 +133,12 @@ class SteadySinglePath final : public SinglePath {
     ProblemList problems = check(vehicle());
     problems.append(check(scenario));
     if (!problems.empty()) throw InvalidInput(std::move(problems));
-    const std::unique_ptr<System> form = buildForm("matrix", vehicle(), scenario.gravity);
-    const Topology topology = topologyOf(vehicle());
-    if (!stands(topology, scenario.gravity, row, rows)) {
+    const CompiledModel model = compileChecked(vehicle(), scenario.gravity);
+    const std::unique_ptr<System> form = buildForm("matrix", model);
+    if (!stands(model, row, rows)) {
       return leaveEmpty(requests(study_case), row, "no steady state: the vehicle cannot stand", rows);
     }
-    const Input input = inputOf(steadyScenario(scenario), topology, speed);
+    const Input input = inputOf(steadyScenario(scenario), model.topology, speed);
     const InputSegment& rail = input.segment(0);
     try {
       answer(*form, rail);
@@ -147,7 +146,7 @@ class SteadySinglePath final : public SinglePath {
       return leaveEmpty(requests(study_case), row, error.what(), rows);
     }
     SteadyStatistic& statistic = statistics_.of(rail.angular_frequency);
-    if (range_.empty()) range_ = rangeColumns(topology, form->outputs());
+    if (range_.empty()) range_ = rangeColumns(model.outputs);
     for (const RangeColumn& each : range_) {
       if (each.kind == RangeKind::kLoad && scenario.gravity == 0.0) continue;
       takeColumn(each.column);
@@ -165,9 +164,9 @@ class SteadySinglePath final : public SinglePath {
     }
   }
 
-  static bool stands(const Topology& topology, double gravity, std::size_t row, DesignRows& rows) {
+  static bool stands(const CompiledModel& model, std::size_t row, DesignRows& rows) {
     bool stands = true;
-    for (const Warning& each : restWarnings(topology, restOf(topology, gravity), gravity)) {
+    for (const Warning& each : restWarnings(model)) {
       rows.warn(row, each.code);
       stands = stands && each.code != WarningCode::kCannotStand;
     }

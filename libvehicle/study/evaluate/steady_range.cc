@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "libvehicle/simulate/run_warnings.h"
 
@@ -24,15 +23,14 @@ double statisticOf(Statistic statistic, double mean, std::span<const std::comple
 
 }  // namespace
 
-std::vector<RangeColumn> rangeColumns(const Topology& topology, const std::vector<Channel>& columns) {
+std::vector<RangeColumn> rangeColumns(const OutputLayout& layout) {
   std::vector<RangeColumn> found;
-  const auto add = [&](const std::string& name, RangeKind kind) {
-    const auto at = std::find_if(columns.begin(), columns.end(), [&](const Channel& each) { return each.name == name; });
-    if (at != columns.end()) found.push_back({static_cast<std::size_t>(at - columns.begin()), kind});
-  };
-  for (const TopologyWheelset& each : topology.wheelsets) add(each.name + ".load", RangeKind::kLoad);
-  for (const TopologyBody& each : topology.bodies) add(each.name + ".pitch", RangeKind::kPitch);
-  for (const TopologySuspension& each : topology.suspensions) add(each.name + ".deflection", RangeKind::kTravel);
+  for (std::size_t column = 0; column < layout.keys().size(); ++column) {
+    const Quantity quantity = layout.keys()[column].quantity;
+    if (quantity == Quantity::kLoad) found.push_back({column, RangeKind::kLoad});
+    if (quantity == Quantity::kPitch) found.push_back({column, RangeKind::kPitch});
+    if (quantity == Quantity::kDeflection) found.push_back({column, RangeKind::kTravel});
+  }
   return found;
 }
 

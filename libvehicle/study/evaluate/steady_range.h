@@ -5,10 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "libvehicle/definition/topology.h"
 #include "libvehicle/diagnostics/warning_set.h"
+#include "libvehicle/model/layout.h"
 #include "libvehicle/study/evaluate/steady_statistic.h"
-#include "libvehicle/units/channel.h"
 
 namespace vehicle {
 
@@ -27,7 +26,7 @@ struct RangeColumn {
 };
 
 /// The columns of a form that have a range.
-[[nodiscard]] std::vector<RangeColumn> rangeColumns(const Topology& topology, const std::vector<Channel>& columns);
+[[nodiscard]] std::vector<RangeColumn> rangeColumns(const OutputLayout& layout);
 
 /// Whether mean + sum_f Re[X_f e^(i w_f t)] leaves its range. The sum of |X_f| settles it for most; else the motion is
 /// sampled over its common period, and where there is none it comes as near to that sum as one likes.

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "libvehicle/definition/bound_study.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/model/bound_study.h"
 
 namespace vehicle {
 

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "libvehicle/definition/bound_study.h"
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/model/bound_study.h"
 #include "libvehicle/study/plan/design_list.h"
 #include "libvehicle/study/plan/latin_hypercube.h"
 #include "libvehicle/study/plan/sobol_sequence.h"

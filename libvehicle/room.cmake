@@ -5,7 +5,9 @@
 # room alone; the test `layering` reads the includes as well.
 
 add_library(vehicle_warnings INTERFACE)
-target_compile_options(vehicle_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow)
+# clang counts signs among the conversions; g++ does so in C only, and an index of Eigen has one.
+target_compile_options(vehicle_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
+                                                  $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 
 function(vehicle_room name)
   cmake_parse_arguments(room "" "" "USES;PUBLICLY;PRIVATELY" ${ARGN})
@@ -22,6 +24,7 @@ function(vehicle_room name)
                         PRIVATE ${room_PRIVATELY} $<BUILD_INTERFACE:vehicle_warnings>)
   set_property(GLOBAL APPEND PROPERTY vehicle_rooms ${target})
   add_subdirectory(${name})
+  vehicle_unity(${target})
 endfunction()
 
 # vehicle_files(HEADERS ... SOURCES ...): the files of the room whose folder calls it.

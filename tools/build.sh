@@ -2,6 +2,7 @@
 # The set-up that run.sh, test.sh and CI share: installs what is missing, configures a preset, builds targets.
 #
 # usage: tools/build.sh [PRESET [TARGET...]]        (default: release, everything)
+# VEHICLE_CONFIGURE holds more options of the configuration, e.g. "-D CMAKE_UNITY_BUILD=ON".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -11,7 +12,8 @@ targets=("${@:2}")
 
 tools/install-dependencies.sh
 echo "== configure: preset $preset in build/$preset"
-cmake --preset "$preset" --log-level=WARNING
+read -ra options <<<"${VEHICLE_CONFIGURE:-}"
+cmake --preset "$preset" --log-level=WARNING "${options[@]}"
 # Two jobs, set by the preset: a file that includes Simbody or much Eigen takes more than a gigabyte to compile.
 echo "== build: ${targets[*]}"
 cmake --build --preset "$preset" --target "${targets[@]}"

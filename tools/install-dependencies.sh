@@ -8,6 +8,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build                                  # to build
+  clang clang-tidy libclang-rt-14-dev                    # the second compiler, its checks, its sanitizers
   libboost-dev libpagmo-dev                              # Sobol's direction numbers, odeint as a peer; search
   libeigen3-dev libsimbody-dev liblapack-dev             # numbers and bodies; Simbody's CMake targets name lapack and blas
   libhwloc-dev                                           # where cores and caches are

@@ -6,6 +6,8 @@
 
 #include <CLI/App.hpp>
 
+#include <CLI/App.hpp>
+
 #include "apps/cli/options.h"
 #include "libvehicle/xml/reader.h"
 

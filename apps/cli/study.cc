@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 
+#include <CLI/App.hpp>
+
 #include "apps/cli/commands.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"

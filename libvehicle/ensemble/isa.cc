@@ -3,6 +3,24 @@
 #include "libvehicle/ensemble/kernel.h"
 
 namespace vehicle {
+namespace {
+
+#if defined(__clang__) && defined(__x86_64__)
+// clang 14 asks for single features and knows no levels. Every processor with these has the others of its level.
+bool isV3() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("bmi2");
+}
+bool isV4() {
+  return isV3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+}
+#elif defined(__x86_64__)
+bool isV3() { return __builtin_cpu_supports("x86-64-v3") != 0; }
+bool isV4() { return __builtin_cpu_supports("x86-64-v4") != 0; }
+#endif
+
+}  // namespace
 
 bool supports(Isa isa) {
 #if defined(__x86_64__)
@@ -10,9 +28,9 @@ bool supports(Isa isa) {
     case Isa::kBaseline:
       return true;
     case Isa::kV3:
-      return __builtin_cpu_supports("x86-64-v3") != 0;
+      return isV3();
     case Isa::kV4:
-      return __builtin_cpu_supports("x86-64-v4") != 0;
+      return isV4();
   }
   return false;
 #else

@@ -7,9 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/LU>
-
 #include "libvehicle/integrate/matrix_exponential.h"
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 namespace {

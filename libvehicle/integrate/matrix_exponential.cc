@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/LU>
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 namespace {

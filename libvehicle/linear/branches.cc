@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include "libvehicle/linear/complex_svd.h"
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 

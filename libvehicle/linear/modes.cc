@@ -7,13 +7,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
+#include "libvehicle/linear/complex_svd.h"
 #include "libvehicle/linear/mode_names.h"
 #include "libvehicle/linear/state_scaling.h"
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/Eigenvalues>
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 namespace {

@@ -5,8 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 

@@ -5,9 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include <Eigen/LU>
-
 #include "libvehicle/linear/undamped.h"
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 

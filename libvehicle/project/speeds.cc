@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include "libvehicle/units/quantity.h"
 

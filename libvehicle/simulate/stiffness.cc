@@ -7,11 +7,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/integrate/stability.h"
 #include "libvehicle/integrate/tableau.h"
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 

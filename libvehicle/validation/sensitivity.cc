@@ -5,8 +5,9 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/MatrixFunctions>
+
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 namespace {

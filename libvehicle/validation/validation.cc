@@ -9,11 +9,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/linear/motion_rates.h"
 #include "libvehicle/simulate/run_plan.h"
+#include "libvehicle/system/dense_solvers.h"
 
 namespace vehicle {
 namespace {

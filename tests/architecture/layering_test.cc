@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/source_tree.h"
 #include "tests/support/test_folder.h"
 
 namespace vehicle::test {
@@ -57,17 +58,17 @@ std::string lines(const Violations& violations) {
 // ---- this tree
 
 TEST(Architecture, EveryArrowPointsDown) {
-  EXPECT_EQ(lines(House(VEHICLE_SOURCE_DIR).wrongArrows()), "");
-  EXPECT_GE(House(VEHICLE_SOURCE_DIR).rooms().size(), 16u);
+  EXPECT_EQ(lines(House(sourcePath()).wrongArrows()), "");
+  EXPECT_GE(House(sourcePath()).rooms().size(), 16u);
 }
 
-TEST(Architecture, EveryIncludeFollowsADeclaredArrow) { EXPECT_EQ(lines(wrongIncludes(VEHICLE_SOURCE_DIR)), ""); }
+TEST(Architecture, EveryIncludeFollowsADeclaredArrow) { EXPECT_EQ(lines(wrongIncludes(sourcePath())), ""); }
 
-TEST(Architecture, EveryFileIsListedInItsRoom) { EXPECT_EQ(lines(wrongFiles(VEHICLE_SOURCE_DIR)), ""); }
+TEST(Architecture, EveryFileIsListedInItsRoom) { EXPECT_EQ(lines(wrongFiles(sourcePath())), ""); }
 
-TEST(Architecture, NoFileIsLongerThanFourHundredLines) { EXPECT_EQ(lines(longFiles(VEHICLE_SOURCE_DIR)), ""); }
+TEST(Architecture, NoFileIsLongerThanFourHundredLines) { EXPECT_EQ(lines(longFiles(sourcePath())), ""); }
 
-TEST(Architecture, TheTopFolderHoldsNothingElse) { EXPECT_EQ(lines(strayEntries(VEHICLE_SOURCE_DIR)), ""); }
+TEST(Architecture, TheTopFolderHoldsNothingElse) { EXPECT_EQ(lines(strayEntries(sourcePath())), ""); }
 
 // ---- the checker itself, on trees that are wrong
 

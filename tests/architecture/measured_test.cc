@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/results.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/test_folder.h"
 
 namespace vehicle::test {
@@ -23,12 +24,10 @@ std::string lines(const Violations& violations) {
 // VEHICLE_CORRECT_PAGES=1 writes the numbers of the results into the pages, after a new measurement.
 TEST(MeasuredNumbers, OfThePagesAreThoseOfTheResults) {
   const bool correct = std::getenv("VEHICLE_CORRECT_PAGES") != nullptr;
-  EXPECT_EQ(lines(wrongNumbers(VEHICLE_SOURCE_DIR, correct ? Pages::kCorrect : Pages::kJudge)), "");
+  EXPECT_EQ(lines(wrongNumbers(sourcePath(), correct ? Pages::kCorrect : Pages::kJudge)), "");
 }
 
-TEST(MeasuredNumbers, AreOfCommitsThatCanBeMeasuredAgain) {
-  EXPECT_EQ(lines(untraceableResults(VEHICLE_SOURCE_DIR)), "");
-}
+TEST(MeasuredNumbers, AreOfCommitsThatCanBeMeasuredAgain) { EXPECT_EQ(lines(untraceableResults(sourcePath())), ""); }
 
 // ---- the judges themselves
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/source_tree.h"
 #include "tests/support/test_folder.h"
 
 namespace vehicle::test {
@@ -35,11 +36,11 @@ class Pages {
 
 // ---- this tree
 
-TEST(Pages, EveryLinkLeadsSomewhere) { EXPECT_EQ(lines(deadLinks(VEHICLE_SOURCE_DIR)), ""); }
+TEST(Pages, EveryLinkLeadsSomewhere) { EXPECT_EQ(lines(deadLinks(sourcePath())), ""); }
 
-TEST(Pages, EveryPathThatIsNamedExists) { EXPECT_EQ(lines(pathsToNothing(VEHICLE_SOURCE_DIR)), ""); }
+TEST(Pages, EveryPathThatIsNamedExists) { EXPECT_EQ(lines(pathsToNothing(sourcePath())), ""); }
 
-TEST(Pages, EveryPageIsReachedFromTheReadme) { EXPECT_EQ(lines(lonelyPages(VEHICLE_SOURCE_DIR)), ""); }
+TEST(Pages, EveryPageIsReachedFromTheReadme) { EXPECT_EQ(lines(lonelyPages(sourcePath())), ""); }
 
 // ---- the checker itself, on pages that are wrong
 

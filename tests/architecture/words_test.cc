@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/source_tree.h"
 #include "tests/support/test_folder.h"
 
 namespace vehicle::test {
@@ -20,7 +21,7 @@ TEST(PrivateWords, AreFoundWithFileAndLineAndTheTermOfTheField) {
 }
 
 TEST(PrivateWords, StandNowhereInTheProject) {
-  const Violations found = privateWords(VEHICLE_SOURCE_DIR);
+  const Violations found = privateWords(sourcePath());
   for (const std::string& each : found) ADD_FAILURE() << each;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
+#include "tests/support/source_tree.h"
 
 // Files that users wrote, and what the program says of them.
 namespace vehicle::test {
@@ -14,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string caseFile(const std::string& name) { return VEHICLE_SOURCE_DIR "/tests/cli/cases/" + name + ".xml"; }
+std::string caseFile(const std::string& name) { return sourcePath("tests/cli/cases/") + name + ".xml"; }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -89,7 +90,7 @@ TEST(CheckCases, AFileMayNameItsSchema) {
     const ProgramRun run = runVehicle({"check", folder.file("v.xml", each)});
     EXPECT_EQ(run.status, 0) << each << run.out;
     // The second opinion: xmllint holds it valid by the shipped schema.
-    const std::string command = "xmllint --noout --nonet --schema '" VEHICLE_SOURCE_DIR "/models/vehicle.xsd' '" +
+    const std::string command = "xmllint --noout --nonet --schema '" + sourcePath("models/vehicle.xsd") + "' '" +
                                 folder.path("v.xml") + "' >/dev/null 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << each;
   }

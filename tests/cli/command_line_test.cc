@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cli/program.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle::test {
 namespace {
@@ -121,7 +122,7 @@ TEST(CommandLine, WhatIsWrongIsNamedBackOnStderrWithStatusTwo) {
 }
 
 TEST(CommandLine, BashCompletionKnowsEveryCommandAndEveryOptionOfItsHelp) {
-  const std::string completion = textOf(std::string(VEHICLE_SOURCE_DIR) + "/apps/cli/completion/vehicle.bash");
+  const std::string completion = textOf(sourcePath("apps/cli/completion/vehicle.bash"));
   ASSERT_NE(completion, "");
   for (const std::string& command : kCommands) {
     EXPECT_TRUE(has(completion, " " + command + " ") || has(completion, "\"" + command + " ") ||
@@ -140,7 +141,7 @@ TEST(CommandLine, BashCompletionKnowsEveryCommandAndEveryOptionOfItsHelp) {
 std::string completed(const TestFolder& folder, const std::string& words) {
   const std::string command = "cd '" + folder.root().string() + "' && bash -c 'source \"$0\"; COMP_WORDS=(" + words +
                               "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _vehicle; printf \"%s\\n\" " +
-                              "\"${COMPREPLY[@]}\" | sort' '" VEHICLE_SOURCE_DIR "/apps/cli/completion/vehicle.bash' " +
+                              "\"${COMPREPLY[@]}\" | sort' '" + sourcePath("apps/cli/completion/vehicle.bash") + "' " +
                               ">offered 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   const std::string offered = textOf(folder.path("offered"));

@@ -10,6 +10,7 @@
 #include "libvehicle/storage/csv.h"
 #include "libvehicle/storage/hdf5.h"
 #include "tests/cli/program.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle::test {
 namespace {
@@ -105,7 +106,7 @@ TEST(ModesCommand, OfOneMassAreThoseOfTheTextbook) {
 // The published case: 2.7 MN/m under a body whose pitch is overdamped at 0.6 MN/m.
 TEST(ModesCommand, AnAperiodicModeHasNoDampedFrequencyButThatOfItsMassesAndStiffnesses) {
   const TestFolder folder;
-  std::string text = textOf(VEHICLE_SOURCE_DIR "/tests/cli/cases/short-pitch-loco.xml");
+  std::string text = textOf(sourcePath("tests/cli/cases/short-pitch-loco.xml"));
   text.replace(text.find("2.7 MN/m"), 8, "0.6 MN/m");
   const ProgramRun run = runVehicle({"modes", folder.file("v.xml", text), "--format", "json"});
   ASSERT_EQ(run.status, 0) << run.err;

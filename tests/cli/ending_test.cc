@@ -41,7 +41,7 @@ TEST(Ending, CtrlCEndsACommandThatKeepsNothingAtOnce) {
 
 TEST(Ending, AFullDiskUnderStdoutIsAFailureForHelpToo) {
   for (const char* words : {"--help", "--version", "study --help", "schema"}) {
-    const int state = std::system((std::string(VEHICLE_PROGRAM) + " " + words + " > /dev/full 2> /dev/null").c_str());
+    const int state = std::system((programPath() + " " + words + " > /dev/full 2> /dev/null").c_str());
     EXPECT_EQ(WEXITSTATUS(state), 3) << words;
   }
 }

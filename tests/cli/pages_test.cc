@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/cli/program.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle::test {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::string> pages() {
-  const fs::path root = VEHICLE_SOURCE_DIR;
+  const fs::path root = sourcePath();
   std::vector<std::string> files{(root / "README.md").string()};
   for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
     if (entry.path().extension() == ".md") files.push_back(entry.path().string());
@@ -94,8 +95,8 @@ TEST(PagesOfTheProgram, ShowTheComparisonThatTheStudyPrints) {
   ASSERT_NE(begin, std::string::npos) << run.out;
   const std::string comparison = run.out.substr(begin, run.out.find("\n\n", begin) - begin);
   EXPECT_GE(std::count(comparison.begin(), comparison.end(), '\n'), 10) << comparison;
-  for (const std::string page : {"/docs/how-to/compare-designs.md"}) {
-    EXPECT_NE(textOf(VEHICLE_SOURCE_DIR + page).find(comparison), std::string::npos)
+  for (const std::string page : {"docs/how-to/compare-designs.md"}) {
+    EXPECT_NE(textOf(sourcePath(page)).find(comparison), std::string::npos)
         << page << " does not show this:\n" << comparison;
   }
 }

@@ -10,13 +10,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/cli/studies.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle::test {
 namespace {
 
 /// The code between "```<title>" and "```".
 std::string exampleOf(const std::string& title) {
-  const std::string page = textOf(VEHICLE_SOURCE_DIR "/docs/how-to/plot-results.md");
+  const std::string page = textOf(sourcePath("docs/how-to/plot-results.md"));
   const std::string begin = "```" + title + "\n";
   const std::size_t at = page.find(begin);
   if (at == std::string::npos) throw std::invalid_argument("the page has no example " + title);
@@ -102,11 +103,12 @@ std::string watched(const std::string& code) {
 
 #ifdef VEHICLE_OCTAVE
 // A stand-in records what is plotted: what the examples read is tried without a graphics toolkit too.
-constexpr const char* kRecordedByOctave =
-    VEHICLE_OCTAVE " --norc --quiet --path '" VEHICLE_SOURCE_DIR "/tests/cli/recorder/octave' example";
+std::string recordedByOctave() {
+  return VEHICLE_OCTAVE " --norc --quiet --path '" + sourcePath("tests/cli/recorder/octave") + "' example";
+}
 
-TEST_F(PlotResults, OctaveReadsAHistory) { expectHistory(kRecordedByOctave, exampleOf("octave history")); }
-TEST_F(PlotResults, OctaveReadsAStudy) { expectStudy(kRecordedByOctave, exampleOf("octave study")); }
+TEST_F(PlotResults, OctaveReadsAHistory) { expectHistory(recordedByOctave(), exampleOf("octave history")); }
+TEST_F(PlotResults, OctaveReadsAStudy) { expectStudy(recordedByOctave(), exampleOf("octave study")); }
 #endif
 
 #ifdef VEHICLE_OCTAVE_DRAWS
@@ -131,11 +133,10 @@ std::string watchedPython(const std::string& code) {
 }
 
 // A stand-in records what is plotted: what the examples read is tried without Matplotlib too.
-constexpr const char* kRecorded =
-    "PYTHONPATH='" VEHICLE_SOURCE_DIR "/tests/cli/recorder' " VEHICLE_PYTHON " -B example";
+std::string recorded() { return "PYTHONPATH='" + sourcePath("tests/cli/recorder") + "' " VEHICLE_PYTHON " -B example"; }
 
-TEST_F(PlotResults, PythonReadsAHistory) { expectHistory(kRecorded, watchedPython(exampleOf("python csv"))); }
-TEST_F(PlotResults, PythonReadsAStudy) { expectStudy(kRecorded, watchedPython(exampleOf("python study"))); }
+TEST_F(PlotResults, PythonReadsAHistory) { expectHistory(recorded(), watchedPython(exampleOf("python csv"))); }
+TEST_F(PlotResults, PythonReadsAStudy) { expectStudy(recorded(), watchedPython(exampleOf("python study"))); }
 #endif
 
 #ifdef VEHICLE_MATPLOTLIB

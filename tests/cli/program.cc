@@ -19,6 +19,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/source_tree.h"
+
 extern char** environ;
 
 namespace vehicle::test {
@@ -81,15 +83,15 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& out, c
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY, 0600);
-  std::vector<std::string> words = {VEHICLE_PROGRAM};
+  std::vector<std::string> words = {programPath()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   pid_t process = 0;
-  const int failed = posix_spawn(&process, VEHICLE_PROGRAM, &actions, nullptr, argv.data(), environ);
+  const int failed = posix_spawn(&process, programPath().c_str(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error("cannot start " VEHICLE_PROGRAM);
+  if (failed != 0) throw std::runtime_error("cannot start " + programPath());
   return process;
 }
 
@@ -115,7 +117,9 @@ std::string withoutProgress(const std::string& terminal) {
 
 }  // namespace
 
-std::string model(const std::string& name) { return std::string(VEHICLE_SOURCE_DIR) + "/models/" + name; }
+std::string programPath() { return VEHICLE_PROGRAM; }
+
+std::string model(const std::string& name) { return sourcePath("models/" + name); }
 
 ProgramRun runVehicle(const std::vector<std::string>& arguments) {
   const TestFolder folder;

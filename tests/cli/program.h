@@ -10,6 +10,9 @@
 
 namespace vehicle::test {
 
+/// build/.../bin/vehicle, as an absolute path.
+[[nodiscard]] std::string programPath();
+
 /// What a run of the program `vehicle` left behind.
 struct ProgramRun {
   int status = -1;  // exit status; 128 + signal if one killed it

@@ -12,13 +12,14 @@
 #include "libvehicle/storage/hdf5.h"
 #include "tests/cli/quarter_coach.h"
 #include "tests/cli/studies.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle::test {
 namespace {
 
 using Json = nlohmann::json;
 
-std::string caseFile(const std::string& name) { return VEHICLE_SOURCE_DIR "/tests/cli/cases/" + name + ".xml"; }
+std::string caseFile(const std::string& name) { return sourcePath("tests/cli/cases/") + name + ".xml"; }
 
 /// The json of a command that ends well.
 Json reportOf(std::vector<std::string> words, int status = 0) {

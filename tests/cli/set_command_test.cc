@@ -8,6 +8,7 @@
 #include "libvehicle/storage/hdf5.h"
 #include "libvehicle/storage/study_database.h"
 #include "tests/cli/studies.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle::test {
 namespace {
@@ -140,7 +141,7 @@ TEST(SetCommand, IsShownByItsPageAsItPrints) {
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string beginning = run.out.substr(0, run.out.find("\n     2 ") + 1);
   EXPECT_EQ(linesOf(beginning).size(), 8u) << run.out;
-  EXPECT_TRUE(has(textOf(VEHICLE_SOURCE_DIR "/docs/how-to/compare-designs.md"), beginning)) << beginning;
+  EXPECT_TRUE(has(textOf(sourcePath("docs/how-to/compare-designs.md")), beginning)) << beginning;
 }
 
 // The base is the vehicle as it has been set: its row is that of a study whose vehicle file says so.

@@ -14,8 +14,8 @@ namespace {
 /// `vehicle check WORDS` in a folder, with the text as its standard input.
 ProgramRun checked(const TestFolder& folder, const std::string& text, const std::string& words = "-") {
   folder.file("given", text);
-  const std::string line = "cd '" + folder.root().string() + "' && '" VEHICLE_PROGRAM "' check " + words +
-                           " <given >out 2>err";
+  const std::string line =
+      "cd '" + folder.root().string() + "' && '" + programPath() + "' check " + words + " <given >out 2>err";
   const int state = std::system(line.c_str());
   return {WEXITSTATUS(state), textOf(folder.path("out")), textOf(folder.path("err"))};
 }

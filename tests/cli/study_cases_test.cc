@@ -12,6 +12,7 @@
 
 #include "tests/cli/quarter_coach.h"
 #include "tests/cli/studies.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle::test {
 namespace {
@@ -22,7 +23,7 @@ using Json = nlohmann::json;
 class Cases {
  public:
   Cases() {
-    for (const auto& each : std::filesystem::directory_iterator(VEHICLE_SOURCE_DIR "/tests/cli/cases")) {
+    for (const auto& each : std::filesystem::directory_iterator(sourcePath("tests/cli/cases"))) {
       folder_.file(each.path().filename().string(), textOf(each.path().string()));
     }
   }

@@ -13,7 +13,8 @@ namespace {
 int runRanks(const std::string& arguments, const std::string& err) {
   const std::string command =
       "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_vader_single_copy_mechanism=none "
-      "'" VEHICLE_MPIRUN "' --oversubscribe -n 2 '" VEHICLE_PROGRAM "' " + arguments + " >/dev/null 2>'" + err + "'";
+      "'" VEHICLE_MPIRUN "' --oversubscribe -n 2 '" +
+      programPath() + "' " + arguments + " >/dev/null 2>'" + err + "'";
   const int state = std::system(command.c_str());
   return WIFEXITED(state) ? WEXITSTATUS(state) : -1;
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/studies.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle::test {
@@ -204,7 +205,7 @@ TEST(StudyTable, PairsOfFactorsStandInEveryFormat) {
 TEST(StudyTable, ValuesThatAreMissingAreEmptyInEveryFormatAndTheirReasonIsCounted) {
   const Columns page("120");
   const TestFolder folder;
-  const std::string study = VEHICLE_SOURCE_DIR "/tests/cli/cases/mode-name-sweep.xml";
+  const std::string study = sourcePath("tests/cli/cases/mode-name-sweep.xml");
   const std::string database = folder.path("m.sqlite"), csv = folder.path("m.csv");
   const ProgramRun run = runVehicle({"study", study, "--output", database, "--export", csv, "--quiet", "--strict"});
   // A value that is missing is no warning; the two softest springs come down by 0.5 m and more.

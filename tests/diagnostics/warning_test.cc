@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/diagnostics/warning_collector.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle {
 namespace {
@@ -86,7 +87,7 @@ TEST(WarningKinds, AreAllListedOnThePageInTheirOrder) {
     rows.append("| `").append(kind.word).append("` | ").append(kind.sentence).append(" |\n");
   }
   std::ostringstream page;
-  page << std::ifstream(VEHICLE_SOURCE_DIR "/docs/warnings.md").rdbuf();
+  page << std::ifstream(test::sourcePath("docs/warnings.md")).rdbuf();
   EXPECT_NE(page.str().find("|---|---|\n" + rows), std::string::npos) << "docs/warnings.md should list:\n" << rows;
 }
 

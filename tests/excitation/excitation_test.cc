@@ -14,6 +14,7 @@
 #include "libvehicle/excitation/rail_profile.h"
 #include "libvehicle/system/schedule.h"
 #include "tests/excitation/tracks.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/tolerance.h"
 
 namespace vehicle {
@@ -41,7 +42,7 @@ void expectPaperRail(History history, const std::string& name) {
   for (const Stretch each : schedule.stretches()) {
     if (each.sample >= 0) segment_at[static_cast<std::size_t>(each.sample)] = each.next;
   }
-  std::ifstream file(std::string(VEHICLE_SOURCE_DIR) + "/tests/excitation/data/" + name);
+  std::ifstream file(test::sourcePath("tests/excitation/data/") + name);
   std::string line;
   std::getline(file, line);
   std::getline(file, line);

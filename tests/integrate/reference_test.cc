@@ -7,6 +7,7 @@
 #include "libvehicle/integrate/rk4.h"
 #include "tests/integrate/cases.h"
 #include "tests/support/paper_matrices.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/table.h"
 #include "tests/support/tolerance.h"
 
@@ -23,8 +24,7 @@ using Table = std::map<std::string, std::vector<double>>;
 const Table& reference(const std::string& history) {
   static std::map<std::string, Table> tables;
   if (!tables.contains(history)) {
-    tables[history] =
-        readTable(std::string(VEHICLE_SOURCE_DIR) + "/tests/paper/data/ref_consistent_J70t_" + history + ".csv");
+    tables[history] = readTable(sourcePath("tests/paper/data/ref_consistent_J70t_") + history + ".csv");
   }
   return tables[history];
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/support/paper_matrices.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/table.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/truths.h"
@@ -66,7 +67,7 @@ TEST(SteadyState, SatisfiesTheEquationOfMotion) {
 // The certified sweep 20..150 km/h: x = Im(amplitude e^(i (h w t + phase))), so amplitude e^(i phase) = i conj-free X:
 // Re[X e^(iwt)] = Im[i X e^(iwt)].
 TEST(SteadyState, PaperSweepAgreesInAmplitudeAndPhase) {
-  const auto table = readTable(std::string(VEHICLE_SOURCE_DIR) + "/tests/paper/data/sweep_consistent_J70t.csv");
+  const auto table = readTable(sourcePath("tests/paper/data/sweep_consistent_J70t.csv"));
   const char* columns[4] = {"zk", "phik", "z1", "z2"};
   const StateSpace paper = paperMatrices();
   ASSERT_GT(table.at("V_mps").size(), 20u);

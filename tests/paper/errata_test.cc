@@ -15,6 +15,7 @@
 #include "libvehicle/linear/modes.h"
 #include "libvehicle/simulate/simulate.h"
 #include "tests/support/eigenvalues.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/vehicles.h"
 
 namespace vehicle::test {
@@ -47,7 +48,7 @@ std::vector<Printed> numbersIn(const std::string& cell) {
 }
 
 std::vector<std::vector<std::string>> tableRows() {
-  std::ifstream page(VEHICLE_SOURCE_DIR "/docs/theory/errata.md");
+  std::ifstream page(sourcePath("docs/theory/errata.md"));
   std::vector<std::vector<std::string>> rows;
   for (std::string line; std::getline(page, line);) {
     if (line.empty() || line[0] != '|') continue;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/simulate/simulate.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/table.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/tolerance.h"
@@ -27,8 +28,8 @@ class Ode45 {
   [[nodiscard]] int run(const std::string& history, const std::string& tolerances, const std::string& kinks) const {
     const std::string call = "paper_ode45('" + history + "', " + tolerances + ", '" + file() + "', '" + kinks + "')";
     const std::string command = std::string(VEHICLE_OCTAVE) + " --no-gui --norc --quiet --no-history --path '" +
-                                VEHICLE_SOURCE_DIR "/docs/matlab' --eval \"" + call + "\" 2>'" +
-                                folder_.path("messages") + "'";
+                                sourcePath("docs/matlab") + "' --eval \"" + call + "\" 2>'" + folder_.path("messages") +
+                                "'";
     return std::system(command.c_str());
   }
   [[nodiscard]] std::string file() const { return folder_.path("ode45.csv"); }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/project/files.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle {
 namespace {
@@ -46,7 +47,7 @@ TEST_F(CheckFile, FindsNothingInFilesThatAreRight) {
 TEST(ShippedModels, HaveNoProblems) {
   int count = 0;
   FileSource disk;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(VEHICLE_SOURCE_DIR "/models")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::sourcePath("models"))) {
     if (entry.path().extension() != ".xml") continue;
     ++count;
     const CheckedFile checked = checkFile(entry.path().string(), disk);

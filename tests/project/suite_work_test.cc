@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/project/files.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle {
 namespace {
@@ -41,7 +42,7 @@ TEST(UnjudgedOf, ASuiteWithFormsThatFitIsEmpty) {
 
 TEST(UnjudgedOf, NamesTheVehicleThatNoFormFitsBesideOneThatIsJudged) {
   const test::ProjectFolder folder;
-  folder.put("paper.xml", test::textOf(std::string(VEHICLE_SOURCE_DIR "/models/vehicles/al-oraiqat-2017.xml")));
+  folder.put("paper.xml", test::textOf(test::sourcePath("models/vehicles/al-oraiqat-2017.xml")));
   folder.put("u.xml", test::withLine(test::withLines(test::kSuiteLines, 5, R"(<form name="flat"/>)"), 2,
                                      R"(<vehicle file="v.xml"/> <vehicle file="paper.xml"/>)"));
   const Warnings warnings = unjudgedOf(workOf(folder));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/simulate/histories.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/table.h"
 #include "tests/support/tolerance.h"
 #include "tests/support/vehicles.h"
@@ -29,7 +30,7 @@ constexpr Pairing kPairings[] = {
 
 void expectCertified(const std::string& form, const std::string& method, History history, const std::string& file,
                      double tolerance) {
-  const auto certified = readTable(VEHICLE_SOURCE_DIR "/tests/paper/data/" + file);
+  const auto certified = readTable(sourcePath("tests/paper/data/") + file);
   const RunResult result = run(paperVehicle(), paperScenario(history), form, method);
   ASSERT_EQ(result.history.samples(), certified.at("t").size());
   for (const Pairing& pairing : kPairings) {
@@ -69,7 +70,7 @@ TEST(Dopri5, AtTightToleranceIsBelowOneHundredMillionthOfPeak) {
 // After the transients have gone (exp(-0.88 * 60) = 1e-23) a run from rest is the steady state: its peak and
 // r.m.s. over whole periods are the certified sweep's.
 TEST(Exact, FromThePeriodicStateReachesTheCertifiedPeaksOfTheSpeedSweep) {
-  const auto sweep = readTable(VEHICLE_SOURCE_DIR "/tests/paper/data/sweep_peak_consistent_J70t.csv");
+  const auto sweep = readTable(sourcePath("tests/paper/data/sweep_peak_consistent_J70t.csv"));
   for (std::size_t row = 0; row < sweep.at("V_mps").size(); ++row) {
     const double speed = sweep.at("V_mps")[row];
     Scenario scenario = paperScenario(History::kExtended);

@@ -17,6 +17,7 @@
 #include "libvehicle/storage/csv.h"
 #include "libvehicle/storage/history_file.h"
 #include "tests/storage/histories.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/test_folder.h"
 
 namespace vehicle {
@@ -98,8 +99,7 @@ TEST(Hdf5, WhatItCannotHoldIsRefusedByName) {
 
 // A file that an earlier version wrote, whose texts have variable length.
 TEST(Hdf5Reader, TextsOfVariableLengthAreReadToo) {
-  const RunRecord record =
-      readHdf5(VEHICLE_SOURCE_DIR "/tests/storage/data/texts-of-variable-length.h5").orThrow();
+  const RunRecord record = readHdf5(test::sourcePath("tests/storage/data/texts-of-variable-length.h5")).orThrow();
   ASSERT_EQ(record.inputs.size(), 2u);
   EXPECT_EQ(record.inputs[0].name, "v.xml");
   EXPECT_EQ(record.inputs[0].text.substr(0, 34), "<vehicle name=\"small\" format=\"1\">\n");

@@ -17,6 +17,7 @@
 
 #include "libvehicle/study/execute/work_pool.h"
 #include "tests/study/evaluators.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/watchdog.h"
 
 namespace vehicle {
@@ -69,7 +70,7 @@ TEST(ThreadExecutor, AnyNumberOfThreadsGivesTheSameTable) {
 
 // Room for some threads' stacks and not for all: those that stand already must not be waited for.
 TEST(ThreadExecutor, AThreadThatTheSystemRefusesIsAnErrorAndNoHang) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef VEHICLE_SANITIZED
   GTEST_SKIP() << "the sanitizers reserve terabytes of addresses";
 #endif
   const pid_t child = ::fork();

@@ -4,13 +4,15 @@
 #include <cstdlib>
 #include <new>
 
+#include "tests/support/sanitizers.h"
+
 namespace {
 std::atomic<long> count{0};
 }
 
 long vehicle::test::allocations() { return count; }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef VEHICLE_SANITIZED
 void* operator new(std::size_t size) {
   ++count;
   if (void* block = std::malloc(size)) return block;

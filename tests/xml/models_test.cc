@@ -9,6 +9,7 @@
 
 #include "libvehicle/xml/reader.h"
 #include "libvehicle/xml/writer.h"
+#include "tests/support/source_tree.h"
 #include "tests/xml/files.h"
 
 namespace vehicle {
@@ -16,7 +17,7 @@ namespace {
 
 std::vector<std::string> shippedFiles() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(VEHICLE_SOURCE_DIR "/models")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::sourcePath("models"))) {
     if (entry.path().extension() == ".xml") files.push_back(entry.path().string());
   }
   std::sort(files.begin(), files.end());
@@ -26,7 +27,7 @@ std::vector<std::string> shippedFiles() {
 /// True if xmllint holds the files valid by the shipped schema.
 bool isValid(const std::string& files) {
   const std::string command =
-      "xmllint --noout --nonet --schema '" VEHICLE_SOURCE_DIR "/models/vehicle.xsd' " + files + " >/dev/null 2>&1";
+      "xmllint --noout --nonet --schema '" + test::sourcePath("models/vehicle.xsd") + "' " + files + " >/dev/null 2>&1";
   const int status = std::system(command.c_str());
   // 3: not valid. Anything else (no xmllint, a schema that does not compile) is a failure of the test itself.
   EXPECT_TRUE(WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == 3)) << command << " " << status;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/xml/attribute_value.h"
+#include "tests/support/source_tree.h"
 
 namespace vehicle {
 namespace {
@@ -84,8 +85,8 @@ std::string contentOf(const std::string& path) {
 
 // Both are written by the program: vehicle schema --xsd, vehicle schema --markdown.
 TEST(Schema, TheCommittedFilesAreThoseOfTheTable) {
-  EXPECT_EQ(contentOf(VEHICLE_SOURCE_DIR "/models/vehicle.xsd"), xsd());
-  EXPECT_EQ(contentOf(VEHICLE_SOURCE_DIR "/docs/xml.md"), schemaMarkdown());
+  EXPECT_EQ(contentOf(test::sourcePath("models/vehicle.xsd")), xsd());
+  EXPECT_EQ(contentOf(test::sourcePath("docs/xml.md")), schemaMarkdown());
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(Settings, GiveTheBitsOfAFileEditedByHand) {
       {"primary.stiffness_z=2.7 MN/m", " frame.mass = 8.9 t ", "front.x=1.3 m", "scenario.wave.amplitude=3.3 mm",
        "scenario.gravity=9.7 m/s^2", "speed=93.7 km/h", "scenario.duration=1.1 s"});
   const Model edited = modelOf(folder, "edited-v.xml", "edited-s.xml");
-  EXPECT_EQ(set.vehicle, edited.vehicle);
+  EXPECT_EQ(set.vehicle.vehicle, edited.vehicle.vehicle);
   EXPECT_EQ(set.scenario, edited.scenario);
   const RunResult of_set = simulate(set.vehicle, set.scenario, {});
   const RunResult of_edited = simulate(edited.vehicle, edited.scenario, {});
@@ -98,7 +98,7 @@ TEST(Settings, OfATrainAreThoseOfOneUnitOrOfTheCouplings) {
   const Model set =
       modelOf(folder, "t.xml", "s.xml",
               {"v_2.frame.mass=8.7 t", "v_2.primary.damping_z=33.3 kN*s/m", "coupling.stiffness_z=61.7 kN/m"});
-  EXPECT_EQ(set.vehicle, modelOf(folder, "edited.xml", "s.xml").vehicle);
+  EXPECT_EQ(set.vehicle.vehicle, modelOf(folder, "edited.xml", "s.xml").vehicle.vehicle);
 }
 
 TEST(Settings, MayGiveWhatTheFileLeavesOutAndWhatOnlyTogetherIsRight) {

@@ -30,9 +30,9 @@
 #include "libvehicle/flat/flat_train.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/partition/schemes/pipeline.h"
-#include "libvehicle/partition/team/placement.h"
 #include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/shared_run.h"
+#include "libvehicle/threads/placement.h"
 #include "libvehicle/xml/reader.h"
 
 namespace vehicle::bench {

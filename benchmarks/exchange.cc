@@ -18,9 +18,9 @@
 #include <thread>
 
 #include "benchmarks/measure.h"
-#include "libvehicle/partition/team/exchange.h"
-#include "libvehicle/partition/team/placement.h"
-#include "libvehicle/partition/team/team.h"
+#include "libvehicle/threads/exchange.h"
+#include "libvehicle/threads/placement.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle::bench {
 namespace {

@@ -32,7 +32,7 @@
 #include "libvehicle/partition/run.h"
 #include "libvehicle/partition/schemes/blocked_rk4.h"
 #include "libvehicle/partition/schemes/stage_by_type.h"
-#include "libvehicle/partition/team/placement.h"
+#include "libvehicle/threads/placement.h"
 
 namespace vehicle::bench {
 namespace {

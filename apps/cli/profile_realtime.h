@@ -3,7 +3,7 @@
 #include "apps/cli/document.h"
 #include "apps/cli/model_options.h"
 #include "apps/cli/options.h"
-#include "libvehicle/simulate/realtime_run.h"
+#include "libvehicle/realtime/realtime_run.h"
 
 namespace vehicle::cli {
 

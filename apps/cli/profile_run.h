@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "apps/cli/model_options.h"
-#include "libvehicle/partition/watch/trace.h"
 #include "libvehicle/simulate/simulate.h"
+#include "libvehicle/threads/trace.h"
 
 namespace vehicle::cli {
 

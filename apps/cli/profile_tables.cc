@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/cli/thread_options.h"
-#include "libvehicle/partition/watch/critical_path.h"
+#include "libvehicle/threads/critical_path.h"
 
 namespace vehicle::cli {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "apps/cli/document.h"
 #include "apps/cli/profile_run.h"
-#include "libvehicle/partition/team/team.h"
-#include "libvehicle/partition/watch/duration_histogram.h"
+#include "libvehicle/threads/duration_histogram.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle::cli {
 

@@ -7,8 +7,8 @@
 
 #include "apps/cli/remarks.h"
 #include "libvehicle/partition/scheme.h"
-#include "libvehicle/partition/team/waiting.h"
 #include "libvehicle/simulate/thread_choice.h"
+#include "libvehicle/threads/waiting.h"
 
 namespace vehicle::cli {
 namespace {

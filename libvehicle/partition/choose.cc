@@ -9,8 +9,8 @@
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/partition/map/equation_graph.h"
 #include "libvehicle/partition/map/equation_map.h"
-#include "libvehicle/partition/team/exchange.h"
 #include "libvehicle/partition/trial.h"
+#include "libvehicle/threads/exchange.h"
 
 namespace vehicle {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/scheme.h"
-#include "libvehicle/partition/team/team.h"
 #include "libvehicle/system/schedule.h"
 #include "libvehicle/system/system.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 

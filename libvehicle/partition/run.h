@@ -5,7 +5,7 @@
 
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/scheme.h"
-#include "libvehicle/partition/team/team.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 

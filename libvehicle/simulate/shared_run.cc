@@ -9,10 +9,10 @@
 #include "libvehicle/partition/map/equation_graph.h"
 #include "libvehicle/partition/map/equation_map.h"
 #include "libvehicle/partition/run.h"
-#include "libvehicle/partition/team/placement.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/thread_choice.h"
+#include "libvehicle/threads/placement.h"
 
 namespace vehicle {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "libvehicle/partition/choose.h"
-#include "libvehicle/partition/team/team.h"
 #include "libvehicle/simulate/methods.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 

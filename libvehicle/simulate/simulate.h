@@ -8,13 +8,13 @@
 #include "libvehicle/definition/vehicle.h"
 #include "libvehicle/diagnostics/warning.h"
 #include "libvehicle/partition/choose.h"
-#include "libvehicle/partition/team/team.h"
 #include "libvehicle/result/time_history.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"
 #include "libvehicle/simulate/recorder.h"
 #include "libvehicle/simulate/shared_run.h"
 #include "libvehicle/system/schedule.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 

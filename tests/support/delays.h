@@ -5,7 +5,7 @@
 #include <functional>
 #include <thread>
 
-#include "libvehicle/partition/team/waiting.h"
+#include "libvehicle/threads/waiting.h"
 
 namespace vehicle::test {
 

@@ -7,7 +7,7 @@
 #include "libvehicle/partition/map/cut_order.h"
 #include "libvehicle/partition/map/equation_graph.h"
 #include "libvehicle/partition/map/equation_map.h"
-#include "libvehicle/partition/team/exchange.h"
+#include "libvehicle/threads/exchange.h"
 
 namespace vehicle {
 namespace {

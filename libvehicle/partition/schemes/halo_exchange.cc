@@ -8,7 +8,7 @@
 #include "libvehicle/partition/schemes/own_state.h"
 #include "libvehicle/partition/schemes/sample_ring.h"
 #include "libvehicle/partition/schemes/shown_piece.h"
-#include "libvehicle/partition/team/exchange.h"
+#include "libvehicle/threads/exchange.h"
 
 namespace vehicle {
 namespace {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "libvehicle/partition/team/team.h"
 #include "libvehicle/system/schedule.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 

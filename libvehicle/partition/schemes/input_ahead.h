@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "libvehicle/partition/schemes/step_walk.h"
-#include "libvehicle/partition/team/team.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 

@@ -22,7 +22,7 @@
 
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/schemes/step_walk.h"
-#include "libvehicle/partition/team/team.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 

@@ -11,7 +11,7 @@
 #include "libvehicle/partition/schemes/sample_ring.h"
 #include "libvehicle/partition/schemes/stage_plan.h"
 #include "libvehicle/partition/schemes/stage_rows.h"
-#include "libvehicle/partition/team/exchange.h"
+#include "libvehicle/threads/exchange.h"
 
 namespace vehicle {
 

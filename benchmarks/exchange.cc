@@ -119,7 +119,7 @@ double coreHandover() {
   const int cores = static_cast<int>(allowedCores().size());
   alignas(128) std::atomic<long> turn{0};
   double took = 0.0;
-  runTeam({.threads = cores + 1}, [&](Member& me) {
+  runTeam(cores + 1, {}, [&](Member& me) {
     if (me.number() != 0 && me.number() != cores) return;
     const long mine = me.number() == 0 ? 0 : 1;
     const double begin = wallSeconds();

@@ -171,7 +171,7 @@ double oneWay() {
   constexpr long kTrips = 10000;
   Line lines[2];
   double took = 0.0;
-  runTeam({.threads = 2}, [&](Member& me) {
+  runTeam(2, {}, [&](Member& me) {
     const auto await = [&](int whom, long epoch) {
       me.wait([&] { return lines[whom].epoch.load(std::memory_order_acquire) >= epoch; }, whom);
     };

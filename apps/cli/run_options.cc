@@ -34,7 +34,9 @@ constexpr Setting kSettings[] = {
 };
 
 /// One thread, known before the run: the number is 1, or the scheme says so.
-bool isAlone(const RunChoice& choice) { return choice.threads == 1 || choice.scheme == nameOf(Scheme::kSerial); }
+bool isAlone(const RunChoice& choice) {
+  return choice.sharing.threads == 1 || choice.sharing.scheme == Scheme::kSerial;
+}
 
 }  // namespace
 
@@ -61,15 +63,15 @@ void requireSpeedUsed(const CLI::App& command, const std::vector<Scenario>& scen
 
 void requireSharingUsed(const CLI::App& command, const RunChoice& choice) {
   if (!isAlone(choice)) return;
-  const bool shares = !choice.scheme.empty() && choice.scheme != nameOf(Scheme::kSerial);
+  const bool shares = choice.sharing.scheme && choice.sharing.scheme != Scheme::kSerial;
   if (isGiven(command, "--scheme") && shares) {
-    refuse(fmt::format("--scheme {}", choice.scheme), "the run has one thread and shares nothing",
+    refuse(fmt::format("--scheme {}", nameOf(*choice.sharing.scheme)), "the run has one thread and shares nothing",
            "omit it, or add --threads 2");
   }
   if (isGiven(command, "--map")) {
-    refuse(fmt::format("--map {}", choice.map), "the run has one thread, which computes all equations",
-           shares || choice.scheme.empty() ? "omit it, or add --threads 2"
-                                           : "omit it, or take --threads 2 with another scheme");
+    refuse(fmt::format("--map {}", nameOf(choice.sharing.map)), "the run has one thread, which computes all equations",
+           shares || !choice.sharing.scheme ? "omit it, or add --threads 2"
+                                            : "omit it, or take --threads 2 with another scheme");
   }
 }
 

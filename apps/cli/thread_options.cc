@@ -1,6 +1,7 @@
 #include "apps/cli/thread_options.h"
 
 #include <charconv>
+#include <functional>
 #include <map>
 
 #include <fmt/format.h>
@@ -26,9 +27,9 @@ int threadsOf(const std::string& text) {
   return threads;
 }
 
-void addName(CLI::App& command, const char* option, std::string& name, const std::vector<std::string>& names,
-             const char* help) {
-  command.add_option(option, name, help)->type_name("NAME")->check(oneOf(names));
+void addName(CLI::App& command, const char* option, const std::vector<std::string>& names, const char* help,
+             const std::function<void(const std::string&)>& take) {
+  command.add_option_function<std::string>(option, take, help)->type_name("NAME")->check(oneOf(names));
 }
 
 // A table of names and what they stand for makes an option of its own type.
@@ -52,20 +53,23 @@ Cell nanoseconds(double seconds) { return seconds > 0.0 ? Cell(1e9 * seconds) : 
 void addSharing(CLI::App& command, RunChoice& choice, const std::string& default_threads) {
   command
       .add_option_function<std::string>(
-          "--threads", [&choice](const std::string& text) { choice.threads = threadsOf(text); },
+          "--threads", [&choice](const std::string& text) { choice.sharing.threads = threadsOf(text); },
           "threads that share the run, or auto: what a short calibration finds to be fastest   (default: " +
               default_threads + ")")
       ->type_name("N");
-  addName(command, "--scheme", choice.scheme, schemeNames(),
-          "how they share it: serial | stages | halo | pipeline (rk4), rows (exact), "
-          "split (rk4_split, exact_split)   (default: serial on 1 thread, else the fastest known for the method)");
-  addName(command, "--map", choice.map, equationMapNames(),
-          "stages, halo, rows: who computes which equation, paper | body | auto   (default: auto)");
+  addName(command, "--scheme", schemeNames(),
+          "how they share it: serial | stages | halo | pipeline (rk4), split (rk4_split)   (default: serial on 1 "
+          "thread, else the fastest known for the method)",
+          [&choice](const std::string& name) { choice.sharing.scheme = schemeOf(name); });
+  addName(command, "--map", equationMapNames(),
+          "stages, halo: who computes which equation, paper | body | auto   (default: auto)",
+          [&choice](const std::string& name) { choice.sharing.map = equationMapOf(name); });
 }
 
-void addTeam(CLI::App& command, TeamChoice& team) {
-  addName(command, "--waiting", team.waiting, waitingNames(),
-          "how a thread waits for another: auto | spin | yield | sleep   (default: auto)");
+void addTeam(CLI::App& command, TeamPolicy& team) {
+  addName(command, "--waiting", waitingNames(),
+          "how a thread waits for another: auto | spin | yield | sleep   (default: auto)",
+          [&team](const std::string& name) { team.waiting = waitingKindOf(name); });
   addChoice(command, "--pinning", team.pinning,
             std::map<std::string, Pinning>{{"cores", Pinning::kCores}, {"free", Pinning::kFree}},
             "cores: each thread stays on a core of its own as far as there are enough; free: the scheduler moves "
@@ -87,8 +91,9 @@ std::vector<Fact> sharingFacts(const RunResult& result) {
 
 void noteUnshared(const RunChoice& choice, const RunResult& result, const CommonOptions& common) {
   constexpr int kSeveral = 2;
-  if (choice.threads != 0 || canBeShared(result.form, result.method)) return;
-  printNote("--threads auto is one thread: " + threadsMisfit(result.form, result.method, kSeveral, ""), common);
+  if (choice.sharing.threads != 0 || canBeShared(result.form, result.method)) return;
+  printNote("--threads auto is one thread: " + threadsUnsupported(result.form, result.method, {.threads = kSeveral}),
+            common);
 }
 
 Table decisionTable(const Decision& decision) {

@@ -12,11 +12,11 @@
 namespace vehicle::cli {
 
 /// --threads, --scheme and --map: how many threads share a run, and how. They change its speed and no bit of it.
-/// @param default_threads  as the help tells it; `choice.threads` already holds it
+/// @param default_threads  as the help tells it; `choice.sharing.threads` already holds it
 void addSharing(CLI::App& command, RunChoice& choice, const std::string& default_threads);
 
 /// --waiting, --pinning and --priority: what a team of threads asks of the scheduler.
-void addTeam(CLI::App& command, TeamChoice& team);
+void addTeam(CLI::App& command, TeamPolicy& team);
 
 /// How a run was shared: scheme and threads; where that was left open, the reason for the choice too.
 [[nodiscard]] std::vector<Fact> sharingFacts(const RunResult& result);

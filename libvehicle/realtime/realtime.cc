@@ -37,7 +37,7 @@ void sleepUntil(Nanoseconds instant) {
   }
 }
 
-void check(std::span<double> x, const ReleaseClock& clock, const Mailbox* input, const Mailbox* output) {
+void check(std::span<double> x, const ReleaseClock& clock, RealtimeRows rows) {
   if (!(clock.period >= kLeastPeriod && clock.period <= kMostPeriod)) {
     throw std::invalid_argument("realtime: period = " + std::to_string(clock.period) +
                                 " s, must be between 1e-6 s and 3600 s");
@@ -46,12 +46,12 @@ void check(std::span<double> x, const ReleaseClock& clock, const Mailbox* input,
     throw std::invalid_argument("realtime: steps = " + std::to_string(clock.steps) + ", must be >= 0");
   }
   checkStart("realtime", x, static_cast<int>(x.size()));
-  if (input != nullptr && input->width() % 3 != 0) {
-    throw std::invalid_argument("realtime: rows of the input mailbox have " + std::to_string(input->width()) +
+  if (rows.input != nullptr && rows.input->width() % 3 != 0) {
+    throw std::invalid_argument("realtime: rows of the input mailbox have " + std::to_string(rows.input->width()) +
                                 " values, must be three times the input: begin, middle and end of a step");
   }
-  if (output != nullptr && output->width() != static_cast<int>(x.size())) {
-    throw std::invalid_argument("realtime: rows of the output mailbox have " + std::to_string(output->width()) +
+  if (rows.output != nullptr && rows.output->width() != static_cast<int>(x.size())) {
+    throw std::invalid_argument("realtime: rows of the output mailbox have " + std::to_string(rows.output->width()) +
                                 " values, must have " + std::to_string(x.size()) + ", one a state");
   }
 }
@@ -59,22 +59,22 @@ void check(std::span<double> x, const ReleaseClock& clock, const Mailbox* input,
 // The input of one step after the other.
 class InputRows {
  public:
-  InputRows(Mailbox* mailbox, RealtimeReport& report)
-      : mailbox_(mailbox),
+  InputRows(SpscRing* ring, RealtimeReport& report)
+      : ring_(ring),
         report_(report),
-        held_(mailbox == nullptr ? 0 : static_cast<std::size_t>(mailbox->width()), 0.0),
+        held_(ring == nullptr ? 0 : static_cast<std::size_t>(ring->width()), 0.0),
         width_(held_.size() / 3) {}
 
   // The rows of that step, valid until the next call.
   const double* of(long step) {
-    if (mailbox_ == nullptr) return nullptr;
-    if (given_) mailbox_->pop();
+    if (ring_ == nullptr) return nullptr;
+    if (given_) ring_->pop();
     given_ = false;
     long number = 0;
-    const double* row = mailbox_->front(number);
-    for (; row != nullptr && number < step; row = mailbox_->front(number)) {
+    const double* row = ring_->front(number);
+    for (; row != nullptr && number < step; row = ring_->front(number)) {
       hold(number, row);
-      mailbox_->pop();
+      ring_->pop();
       ++report_.inputs_late;
     }
     if (row == nullptr || number > step) {
@@ -94,7 +94,7 @@ class InputRows {
     for (std::size_t part = 0; part < 3; ++part) std::copy_n(row + 2 * width_, width_, held_.data() + part * width_);
   }
 
-  Mailbox* mailbox_;
+  SpscRing* ring_;
   RealtimeReport& report_;
   std::vector<double> held_;  // three times the newest value
   std::size_t width_;
@@ -130,12 +130,12 @@ class LockedMemory {
 class RealtimeRun {
  public:
   RealtimeRun(const RealtimeStep& step, std::span<double> x, ReleaseClock clock, const RealtimeChoice& choice,
-              Mailbox* input, Mailbox* output)
-      : step_(step), x_(x), clock_(clock), choice_(choice), rows_(input, report_), output_(output) {}
+              RealtimeRows rows)
+      : step_(step), x_(x), clock_(clock), choice_(choice), rows_(rows.input, report_), output_(rows.output) {}
 
   RealtimeReport run() {
-    TeamReport team = runTeam({.threads = 1, .pinning = choice_.pinning, .priority = choice_.priority},
-                              [this](Member&) { stepAll(); });
+    TeamReport team =
+        runTeam(1, {.pinning = choice_.pinning, .priority = choice_.priority}, [this](Member&) { stepAll(); });
     report_.thread = std::move(team.members.front());
     report_.wake_up = wake_up_.summary(1e-9);
     report_.step = duration_.summary(1e-9);
@@ -205,7 +205,7 @@ class RealtimeRun {
   const RealtimeChoice& choice_;
   RealtimeReport report_;
   InputRows rows_;
-  Mailbox* output_;
+  SpscRing* output_;
   Nanoseconds begin_ = 0;
   DurationHistogram wake_up_;
   DurationHistogram duration_;
@@ -215,9 +215,9 @@ class RealtimeRun {
 }  // namespace
 
 RealtimeReport runRealtime(const RealtimeStep& step, std::span<double> x, ReleaseClock clock,
-                           const RealtimeChoice& choice, Mailbox* input, Mailbox* output) {
-  check(x, clock, input, output);
-  return RealtimeRun(step, x, clock, choice, input, output).run();
+                           const RealtimeChoice& choice, RealtimeRows rows) {
+  check(x, clock, rows);
+  return RealtimeRun(step, x, clock, choice, rows).run();
 }
 
 }  // namespace vehicle

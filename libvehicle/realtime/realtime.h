@@ -7,7 +7,7 @@
 #include <string>
 
 #include "libvehicle/threads/duration_histogram.h"
-#include "libvehicle/threads/mailbox.h"
+#include "libvehicle/threads/spsc_ring.h"
 #include "libvehicle/threads/team.h"
 
 namespace vehicle {
@@ -53,6 +53,12 @@ struct RealtimeReport {
   MemberReport thread{};      // core, priority and usage of the thread that stepped
 };
 
+/// How rows come and go; nothing: a run without inputs, or states that nobody looks at.
+struct RealtimeRows {
+  SpscRing* input = nullptr;   // width 3 w, read by the stepping thread alone
+  SpscRing* output = nullptr;  // width n, written by it alone
+};
+
 /// Steps released by the monotonic clock, for models that run against hardware. Runs on a thread of its own; the
 /// calling thread waits for the end.
 ///
@@ -63,12 +69,10 @@ struct RealtimeReport {
 /// waited for.
 /// A step that ends late is never caught up: the next one begins at the next release that is still to come.
 ///
-/// @param x       (n) state at the begin, and at the end of the last step on return
-/// @param input   width 3 w, read here only; nullptr: a run without inputs
-/// @param output  width n, written here only; nullptr: nobody looks
+/// @param x  (n) state at the begin, and at the end of the last step on return
 /// @throws std::invalid_argument for a period, a number of steps, a width or an x that does not fit
 /// @throws std::runtime_error    if a state is no longer finite, and what the step throws
 RealtimeReport runRealtime(const RealtimeStep& step, std::span<double> x, ReleaseClock clock,
-                           const RealtimeChoice& choice, Mailbox* input, Mailbox* output);
+                           const RealtimeChoice& choice, RealtimeRows rows);
 
 }  // namespace vehicle

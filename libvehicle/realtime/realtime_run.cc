@@ -81,7 +81,7 @@ class Stepper {
 /// The side of the caller: puts rows in as long as there is room, takes states out as long as there are some.
 class Feeder {
  public:
-  Feeder(const Input& input, double period, long steps, Mailbox& rail_box, Mailbox& state_box)
+  Feeder(const Input& input, double period, long steps, SpscRing& rail_box, SpscRing& state_box)
       : rail_(input, period), steps_(steps), rail_box_(rail_box), state_box_(state_box) {}
 
   void turn() {
@@ -103,8 +103,8 @@ class Feeder {
  private:
   Rail rail_;
   long steps_;
-  Mailbox& rail_box_;
-  Mailbox& state_box_;
+  SpscRing& rail_box_;
+  SpscRing& state_box_;
   std::vector<double> row_{};
   long made_ = 0;
   long put_ = 0;
@@ -146,8 +146,8 @@ RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, c
   const std::vector<double> x0 = initialState(*system, vehicle, scenario, input);
 
   const int rows = static_cast<int>(std::clamp(kAhead / period, 64.0, 65536.0));
-  Mailbox rail_box(6 * system->channels(), rows);
-  Mailbox state_box(system->size(), rows);
+  SpscRing rail_box(6 * system->channels(), rows);
+  SpscRing state_box(system->size(), rows);
   Feeder feeder(input, period, run.steps, rail_box, state_box);
   feeder.turn();
   std::atomic<bool> stop{false};
@@ -155,8 +155,8 @@ RealtimeRun simulateRealtime(const Vehicle& vehicle, const Scenario& scenario, c
   std::vector<double> x = x0;
   Stepper stepper(*system, period);
   std::future<RealtimeReport> running = std::async(std::launch::async, [&] {
-    return runRealtime(std::ref(stepper), x, {.period = period, .steps = run.steps}, by_the_clock, &rail_box,
-                       &state_box);
+    return runRealtime(std::ref(stepper), x, {.period = period, .steps = run.steps}, by_the_clock,
+                       {&rail_box, &state_box});
   });
   const std::chrono::duration<double> between(kBetween);
   while (running.wait_for(between) != std::future_status::ready) {

@@ -57,6 +57,7 @@ class Exchange {
   void publish(Member& me, long epoch) {
     me.disturb(epoch);
     line(me.number(), epoch).epoch.store(epoch, std::memory_order_release);
+    me.ring();
   }
 
   /// The values of owner at that epoch; valid until `me` publishes epoch + 1.
@@ -65,7 +66,7 @@ class Exchange {
     Line& shown = line(owner, epoch);
     long seen = 0;
     me.wait([&] { return (seen = shown.epoch.load(std::memory_order_acquire)) >= epoch; }, owner,
-            [&] { return coreIsWanted(me, epoch); });
+            [&] { return whoWantsCore(me, epoch); });
     assert(seen == epoch);  // else the owner did not wait for `me`
     return shown.values();
   }
@@ -95,13 +96,13 @@ class Exchange {
   // A thread that runs in turn with this one and has not shown the epoch yet keeps everybody waiting: it gets the
   // core at once, whoever is waited for. Else the epoch is on its way from another core and a pause is shorter than a
   // change of threads. Measured with 4 threads on 2 cores: one change an exchange, 1.4 us against 2.1 us without.
-  bool coreIsWanted(const Member& me, long epoch) {
+  int whoWantsCore(const Member& me, long epoch) {
     const int stride = me.stride();
-    if (stride == 0) return false;
+    if (stride == 0) return Member::kNobody;
     for (int other = me.number() % stride; other < threads(); other += stride) {
-      if (line(other, epoch).epoch.load(std::memory_order_relaxed) < epoch && other != me.number()) return true;
+      if (line(other, epoch).epoch.load(std::memory_order_relaxed) < epoch && other != me.number()) return other;
     }
-    return false;
+    return Member::kNobody;
   }
 
   std::unique_ptr<std::byte, Free> memory_;

@@ -59,16 +59,18 @@ GrantedPriority raiseThisThread(Priority priority, bool spare) {
   return raised;
 }
 
-void placeThisThread(const TeamChoice& choice, int number, const std::vector<int>& cores, MemberReport& report) {
+void placeThisThread(const TeamPolicy& policy, int number, TeamReport& team) {
+  const std::vector<int>& cores = team.cores;
+  MemberReport& report = team.members[static_cast<std::size_t>(number)];
   report.core_before = sched_getcpu();
-  if (choice.pinning == Pinning::kFree) {
+  if (policy.pinning == Pinning::kFree) {
     report.pinning_note = "not asked for";
   } else {
     report.pinning_note = pinTo(cores[static_cast<std::size_t>(number) % cores.size()]);
     report.pinned = report.pinning_note.empty();
   }
   report.core_after = sched_getcpu();
-  GrantedPriority granted = raiseThisThread(choice.priority, choice.threads < static_cast<int>(cores.size()));
+  GrantedPriority granted = raiseThisThread(policy.priority, team.members.size() < cores.size());
   report.priority = std::move(granted.got);
   report.priority_note = std::move(granted.note);
 }

@@ -7,8 +7,8 @@ namespace vehicle {
 /// Puts the calling thread on its core and gives it its priority, as far as the system permits, and writes down
 /// what was got and why not more.
 /// @param number  of the member
-/// @param cores   allowedCores() of the team's caller
-void placeThisThread(const TeamChoice& choice, int number, const std::vector<int>& cores, MemberReport& report);
+/// @param team    its cores are read, the report of that member is written
+void placeThisThread(const TeamPolicy& policy, int number, TeamReport& team);
 
 /// Gives the calling thread that priority as far as permitted.
 /// @param spare  a core is left over for everybody else

@@ -1,5 +1,7 @@
 #include "libvehicle/threads/team.h"
 
+#include <algorithm>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
@@ -17,10 +19,10 @@ namespace {
 // All threads stand at the gate before one passes it, so none steals a core from a thread that is being created.
 constexpr Waiting kAtTheGate{.pauses = 0, .yields = 1000, .sleep = 50e-6};
 
-Waiting waitingOf(const TeamChoice& choice, int cores) {
-  const Waiting named = waitingNamed(choice.waiting, choice.threads, cores);
-  if (choice.priority != Priority::kFifo || givesWay(named)) return named;
-  throw std::invalid_argument("waiting \"" + choice.waiting +
+Waiting waitingOf(const TeamPolicy& policy, int threads, int cores) {
+  const Waiting waiting = waitingFor(policy.waiting, threads, cores);
+  if (policy.priority != Priority::kFifo || givesWay(waiting)) return waiting;
+  throw std::invalid_argument(std::string("waiting \"") + nameOf(policy.waiting) +
                               "\" with SCHED_FIFO could lock the machine; take auto | sleep");
 }
 
@@ -28,22 +30,26 @@ Waiting waitingOf(const TeamChoice& choice, int cores) {
 
 class TeamRun {
  public:
-  TeamRun(const TeamChoice& choice, const std::function<void(Member&)>& work)
-      : choice_(choice), work_(work), report_{.members = {}, .waiting = {}, .cores = allowedCores()} {
+  TeamRun(int threads, const TeamPolicy& policy, const std::function<void(Member&)>& work)
+      : threads_(threads),
+        policy_(policy),
+        work_(work),
+        report_{.members = {}, .waiting = {}, .cores = allowedCores()},
+        bells_(static_cast<std::size_t>(std::max(threads, 1))) {
     const int cores = static_cast<int>(report_.cores.size());
-    report_.waiting = waitingOf(choice, cores);
-    report_.members.resize(static_cast<std::size_t>(choice.threads));
-    if (choice.tracer != nullptr) choice.tracer->prepare(choice.threads);
+    report_.waiting = waitingOf(policy, threads, cores);
+    report_.members.resize(static_cast<std::size_t>(threads));
+    if (policy.tracer != nullptr) policy.tracer->prepare(threads);
   }
 
   TeamReport run() {
     std::vector<std::thread> threads;
     threads.reserve(report_.members.size());
     try {
-      for (int i = 0; i < choice_.threads; ++i) threads.emplace_back([this, i] { live(i); });
+      for (int i = 0; i < threads_; ++i) threads.emplace_back([this, i] { live(i); });
     } catch (const std::system_error& refused) {
-      fail(std::make_exception_ptr(
-          std::runtime_error("team: " + refusedThread(threads.size() + 1, choice_.threads, refused))));
+      fail(
+          std::make_exception_ptr(std::runtime_error("team: " + refusedThread(threads.size() + 1, threads_, refused))));
     } catch (...) {  // those that stand already must be let go
       fail(std::current_exception());
     }
@@ -56,8 +62,8 @@ class TeamRun {
   void live(int number) {
     MemberReport& report = report_.members[static_cast<std::size_t>(number)];
     try {
-      Member member(number, stride(), report_.waiting, stopped_, choice_);
-      placeThisThread(choice_, number, report_.cores, report);
+      Member member(number, {threads_, stride(), report_.waiting, bells_.data(), stopped_, policy_});
+      placeThisThread(policy_, number, report_);
       arrive();
       const ThreadUsage before = usageOfThisThread();
       leaveUsage(before, report, [&] { work_(member); });
@@ -79,16 +85,17 @@ class TeamRun {
 
   int stride() const {
     const int cores = static_cast<int>(report_.cores.size());
-    if (choice_.threads <= cores) return 0;
-    return choice_.pinning == Pinning::kCores ? cores : 1;
+    if (threads_ <= cores) return 0;
+    return policy_.pinning == Pinning::kCores ? cores : 1;
   }
 
   void arrive() {
     standing_.fetch_add(1, std::memory_order_acq_rel);
-    Patience patience(kAtTheGate);
-    while (standing_.load(std::memory_order_acquire) < choice_.threads) {
+    YieldMemory yields;
+    Patience patience(kAtTheGate, yields);
+    while (standing_.load(std::memory_order_acquire) < threads_) {
       if (stopped_.load(std::memory_order_acquire)) throw TeamStopped{};
-      patience.turn();
+      if (!patience.turn()) std::this_thread::sleep_for(std::chrono::duration<double>(kAtTheGate.sleep));
     }
   }
 
@@ -98,11 +105,14 @@ class TeamRun {
       if (!failure_) failure_ = std::move(failure);
     }
     stopped_.store(true, std::memory_order_release);
+    for (Doorbell& bell : bells_) bell.ring();
   }
 
-  const TeamChoice& choice_;
+  const int threads_;
+  const TeamPolicy& policy_;
   const std::function<void(Member&)>& work_;
   TeamReport report_;
+  std::vector<Doorbell> bells_;  // (threads) of each member
   // Read by every thread that waits, written once: on a line that nothing else makes travel.
   alignas(64) std::atomic<bool> stopped_{false};
   alignas(64) std::atomic<int> standing_{0};
@@ -110,11 +120,9 @@ class TeamRun {
   std::exception_ptr failure_;
 };
 
-TeamReport runTeam(const TeamChoice& choice, const std::function<void(Member&)>& work) {
-  if (choice.threads < 1) {
-    throw std::invalid_argument("team: threads = " + std::to_string(choice.threads) + ", must be >= 1");
-  }
-  return TeamRun(choice, work).run();
+TeamReport runTeam(int threads, const TeamPolicy& policy, const std::function<void(Member&)>& work) {
+  if (threads < 1) throw std::invalid_argument("team: threads = " + std::to_string(threads) + ", must be >= 1");
+  return TeamRun(threads, policy, work).run();
 }
 
 }  // namespace vehicle

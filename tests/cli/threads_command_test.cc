@@ -41,8 +41,7 @@ TEST(ThreadOptions, WhatIsWrongIsToldInOneLineWithStatusTwo) {
       {with("simulate", {"--method", "rk4", "--scheme", "stages", "--threads", "9"}),
        "vehicle: 9 threads for 4 equations: map auto gives every thread at least one; take at most 4\n"},
       {with("simulate", {"--scheme", "ring"}),
-       "vehicle simulate: --scheme: \"ring\" is unknown; choose one of serial, stages, halo, rows, pipeline, split" +
-           see},
+       "vehicle simulate: --scheme: \"ring\" is unknown; choose one of serial, stages, halo, pipeline, split" + see},
       {with("simulate", {"--scheme", "stage"}),
        "vehicle simulate: --scheme: \"stage\" is unknown; did you mean \"stages\"?" + see},
       {with("simulate", {"--method", "rk4", "--scheme", "stages", "--map", "paper", "--threads", "3"}),

@@ -95,12 +95,12 @@ TEST(Realtime, WithEveryInputInTimeTheNumbersAreThoseOfTheOfflineRun) {
   constexpr long kSteps = 100;
   const Input input = waves(kSteps * kPeriod);
   const auto rows = rowsOf(input, kSteps);
-  Mailbox in(3 * kWidth, kSteps), out(2, kSteps);
+  SpscRing in(3 * kWidth, kSteps), out(2, kSteps);
   for (long i = 0; i < kSteps; ++i) ASSERT_TRUE(in.put(i, rows[static_cast<std::size_t>(i)]));
   State x{0.01, -0.02};
   const State start = x;
   RealtimeMass mass;
-  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, kSteps}, kModest, &in, &out);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, kSteps}, kModest, {&in, &out});
   EXPECT_EQ(report.steps, kSteps);
   EXPECT_EQ(report.inputs_held, 0);
   EXPECT_EQ(report.inputs_late, 0);
@@ -129,7 +129,7 @@ TEST(Realtime, WithEveryInputInTimeTheNumbersAreThoseOfTheOfflineRun) {
 TEST(Realtime, AMissingInputHoldsTheNewestValueAndALateOneIsCounted) {
   test::Watchdog watchdog;
   const auto rows = rowsOf(waves(1.0), 6);
-  Mailbox in(3 * kWidth, 8);
+  SpscRing in(3 * kWidth, 8);
   const auto put = [&](std::size_t i) { ASSERT_TRUE(in.put(static_cast<long>(i), rows[i])); };
   put(1);  // nothing for step 0
   put(2);
@@ -137,7 +137,7 @@ TEST(Realtime, AMissingInputHoldsTheNewestValueAndALateOneIsCounted) {
   put(3);
   State x{};
   RealtimeMass mass;
-  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 6}, kModest, &in, nullptr);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 6}, kModest, {&in});
   const auto held = [&](std::size_t i) {
     const double* end = rows[i].data() + 2 * kWidth;
     return std::vector<double>{end[0], end[1], end[0], end[1], end[0], end[1]};
@@ -156,7 +156,7 @@ TEST(Realtime, InputsAndOutputsArePassedWhileTheClockRuns) {
   test::Watchdog watchdog;
   constexpr long kSteps = 150;
   const auto rows = rowsOf(waves(1.0), kSteps);
-  Mailbox in(3 * kWidth, 16), out(2, 16);
+  SpscRing in(3 * kWidth, 16), out(2, 16);
   const auto delay = test::randomDelays(3);
   std::atomic<bool> over{false};
   std::thread writer([&] {
@@ -185,7 +185,7 @@ TEST(Realtime, InputsAndOutputsArePassedWhileTheClockRuns) {
   });
   State x{};
   RealtimeMass mass;
-  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, kSteps}, kModest, &in, &out);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, kSteps}, kModest, {&in, &out});
   over = true;
   writer.join();
   reader.join();
@@ -207,8 +207,8 @@ TEST(Realtime, AStepThatTakesTooLongMissesItsDeadlineAndIsNotCaughtUp) {
     if (step == 4) std::this_thread::sleep_for(std::chrono::milliseconds(17));
   };
   const auto begin = std::chrono::steady_clock::now();
-  Mailbox in(3 * kWidth, 1);
-  const RealtimeReport report = runRealtime(mass.step(), x, {kLong, kSteps}, kModest, &in, nullptr);
+  SpscRing in(3 * kWidth, 1);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kLong, kSteps}, kModest, {&in});
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   EXPECT_EQ(report.steps, kSteps);
   EXPECT_GE(report.deadline_misses, 1);
@@ -229,9 +229,9 @@ TEST(Realtime, NoStepBeginsBeforeItsRelease) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   };
   mass.before = [&](long) { began.push_back(now()); };
-  Mailbox in(3 * kWidth, 1);
+  SpscRing in(3 * kWidth, 1);
   const double called = now();
-  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, kSteps}, kModest, &in, nullptr);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, kSteps}, kModest, {&in});
   ASSERT_EQ(began.size(), static_cast<std::size_t>(kSteps));
   EXPECT_EQ(report.wake_up.count, kSteps);
   // The first release comes a period after the call, and every other one a period or more after the one before: on a
@@ -254,8 +254,8 @@ TEST(Realtime, IsStoppedFromOutsideEvenInALongSleep) {
     });
     State x{};
     RealtimeMass mass;
-    Mailbox in(3 * kWidth, 1);
-    const RealtimeReport report = runRealtime(mass.step(), x, {.period = period}, choice, &in, nullptr);
+    SpscRing in(3 * kWidth, 1);
+    const RealtimeReport report = runRealtime(mass.step(), x, {.period = period}, choice, {&in});
     stopper.join();
     EXPECT_TRUE(report.stopped);
     EXPECT_EQ(report.steps, static_cast<long>(mass.given.size()));
@@ -267,8 +267,8 @@ TEST(Realtime, WhatTheSystemGrantedIsReportedAndGivenBack) {
   RealtimeMass mass;
   std::atomic<bool> fifo{false};
   mass.before = [&](long) { fifo = sched_getscheduler(0) == SCHED_FIFO; };
-  Mailbox in(3 * kWidth, 1);
-  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 3}, {}, &in, nullptr);
+  SpscRing in(3 * kWidth, 1);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 3}, {}, {&in});
   EXPECT_EQ(fifo, report.thread.priority.starts_with("SCHED_FIFO"));
   EXPECT_NE(report.thread.priority.starts_with("SCHED_FIFO"), report.thread.priority_note.find("SCHED_FIFO") == 0);
   EXPECT_NE(report.memory_locked, !report.memory_note.empty());
@@ -279,8 +279,8 @@ TEST(Realtime, WhatTheSystemGrantedIsReportedAndGivenBack) {
 TEST(Realtime, AFullOutputIsLostAndCountedAndNobodyWaits) {
   State x{};
   RealtimeMass mass;
-  Mailbox in(3 * kWidth, 1), out(2, 4);
-  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 10}, kModest, &in, &out);
+  SpscRing in(3 * kWidth, 1), out(2, 4);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 10}, kModest, {&in, &out});
   EXPECT_EQ(report.outputs_lost, 6);
   EXPECT_EQ(report.steps, 10);
 }
@@ -292,7 +292,7 @@ TEST(Realtime, AStateThatIsNoLongerFiniteEndsTheRunWithItsTime) {
     state[1] = std::numeric_limits<double>::infinity();
   };
   try {
-    runRealtime(explode, x, {kPeriod, 5}, kModest, nullptr, nullptr);
+    runRealtime(explode, x, {kPeriod, 5}, kModest, {});
     FAIL() << "went on";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
@@ -304,7 +304,7 @@ TEST(Realtime, AStateThatIsNoLongerFiniteEndsTheRunWithItsTime) {
 TEST(Realtime, NoStepAtAllLeavesTheState) {
   State x{1.0, 2.0};
   RealtimeMass mass;
-  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 0}, kModest, nullptr, nullptr);
+  const RealtimeReport report = runRealtime(mass.step(), x, {kPeriod, 0}, kModest, {});
   EXPECT_EQ(report.steps, 0);
   EXPECT_EQ(report.wake_up.count, 0);
   EXPECT_EQ(x, (State{1.0, 2.0}));
@@ -313,9 +313,9 @@ TEST(Realtime, NoStepAtAllLeavesTheState) {
 TEST(Realtime, RefusesWhatDoesNotFit) {
   const RealtimeStep never = [](const double*, double*) { ADD_FAILURE() << "stepped"; };
   const auto refusal = [&](ReleaseClock clock, std::vector<double> x, int in_width, int out_width) -> std::string {
-    Mailbox in(in_width, 1), out(out_width, 1);
+    SpscRing in(in_width, 1), out(out_width, 1);
     try {
-      runRealtime(never, x, clock, kModest, &in, &out);
+      runRealtime(never, x, clock, kModest, {&in, &out});
     } catch (const std::invalid_argument& error) {
       return error.what();
     }

@@ -69,12 +69,11 @@ Log serial(const Network& network, long epochs) {
   return log;
 }
 
-Log exchanged(const Network& network, long epochs, TeamChoice choice) {
+Log exchanged(const Network& network, long epochs, const TeamPolicy& policy) {
   const int threads = static_cast<int>(network.values.size());
-  choice.threads = threads;
   Exchange exchange(network.values);
   Log log(network.values.size());
-  runTeam(choice, [&](Member& me) {
+  runTeam(threads, policy, [&](Member& me) {
     std::vector<double>& mine = log[static_cast<std::size_t>(me.number())];
     const int count = exchange.values(me.number());
     for (long epoch = 1; epoch <= epochs; ++epoch) {
@@ -100,11 +99,11 @@ TEST(Exchange, DeliversThePublishedValuesForEveryThreadCountUnderRandomDelays) {
   for (int threads = 1; threads <= 8; ++threads) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       const Network network(threads, seed);
-      TeamChoice choice;
-      choice.disturb = test::randomDelays(seed);
-      choice.waiting = seed % 3 == 0 ? "yield" : seed % 3 == 1 ? "sleep" : "auto";
-      choice.pinning = seed % 2 == 0 ? Pinning::kCores : Pinning::kFree;
-      EXPECT_EQ(exchanged(network, kEpochs, choice), serial(network, kEpochs)) << threads << " threads, seed " << seed;
+      TeamPolicy policy;
+      policy.disturb = test::randomDelays(seed);
+      policy.waiting = seed % 3 == 0 ? WaitingKind::kYield : seed % 3 == 1 ? WaitingKind::kSleep : WaitingKind::kAuto;
+      policy.pinning = seed % 2 == 0 ? Pinning::kCores : Pinning::kFree;
+      EXPECT_EQ(exchanged(network, kEpochs, policy), serial(network, kEpochs)) << threads << " threads, seed " << seed;
     }
   }
 }

@@ -27,13 +27,11 @@ TEST(Placement, AMaskOfOneCoreIsRespectedByCoresAndPolicy) {
     const test::OnlyCore only(core);
     EXPECT_EQ(allowedCores(), std::vector<int>{core});
     EXPECT_EQ(allowedCoreCount(), 1);
-    TeamChoice choice{.threads = 2};
-    const TeamReport report = runTeam(choice, [](Member&) {});
+    const TeamReport report = runTeam(2, {}, [](Member&) {});
     EXPECT_EQ(report.cores, std::vector<int>{core});
     for (const MemberReport& member : report.members) EXPECT_EQ(member.core_after, core);
-    EXPECT_EQ(report.waiting.pauses, waitingFor(2, 1).pauses);
-    choice.waiting = "spin";
-    EXPECT_THROW(runTeam(choice, [](Member&) {}), std::invalid_argument);
+    EXPECT_EQ(report.waiting.pauses, waitingFor(WaitingKind::kAuto, 2, 1).pauses);
+    EXPECT_THROW(runTeam(2, {.waiting = WaitingKind::kSpin}, [](Member&) {}), std::invalid_argument);
   }
 }
 
@@ -43,7 +41,7 @@ TEST(Placement, ThreadsStandOnTheirCoresAndTheCallerKeepsItsOwn) {
   const int threads = static_cast<int>(cores.size()) + 1;
   std::vector<int> seen(static_cast<std::size_t>(threads));
   const TeamReport report =
-      runTeam({.threads = threads}, [&](Member& me) { seen[static_cast<std::size_t>(me.number())] = sched_getcpu(); });
+      runTeam(threads, {}, [&](Member& me) { seen[static_cast<std::size_t>(me.number())] = sched_getcpu(); });
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_TRUE(report.members[i].pinned) << report.members[i].pinning_note;
     EXPECT_EQ(seen[i], cores[i % cores.size()]);
@@ -56,7 +54,7 @@ TEST(Placement, ThreadsStandOnTheirCoresAndTheCallerKeepsItsOwn) {
 
 TEST(Placement, AFreeTeamKeepsTheWholeMaskAndSaysThatItWasNotPinned) {
   const cpu_set_t mask = test::maskOfThisThread();
-  const TeamReport report = runTeam({.threads = 2, .pinning = Pinning::kFree}, [&](Member&) {
+  const TeamReport report = runTeam(2, {.pinning = Pinning::kFree}, [&](Member&) {
     const cpu_set_t own = test::maskOfThisThread();
     if (!CPU_EQUAL(&mask, &own)) throw std::runtime_error("the mask of a free member changed");
   });

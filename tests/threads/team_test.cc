@@ -34,7 +34,7 @@ void exchangeAll(Member& me, Exchange& exchange, long epochs, const std::functio
 TEST(Team, EveryMemberWorksOnceUnderItsNumber) {
   for (int threads = 1; threads <= 8; ++threads) {
     std::vector<std::atomic<int>> calls(static_cast<std::size_t>(threads));
-    const TeamReport report = runTeam({.threads = threads}, [&](Member& me) {
+    const TeamReport report = runTeam(threads, {}, [&](Member& me) {
       EXPECT_EQ(me.threads(), threads);
       ++calls[static_cast<std::size_t>(me.number())];
     });
@@ -49,7 +49,7 @@ TEST(Team, MembersAreReleasedTogether) {
   for (const int threads : {2, 5, 8}) {
     std::atomic<int> counted{0};
     std::atomic<int> fewest{1000};
-    runTeam({.threads = threads}, [&](Member& me) {
+    runTeam(threads, {}, [&](Member& me) {
       int alive = 0;
       for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) alive += !entry.path().empty();
       int before = fewest;
@@ -68,11 +68,11 @@ TEST(Team, AnExceptionOfAnyMemberAtAnyEpochStopsAllAndReachesTheCaller) {
   for (const int threads : {1, 2, 3, 5}) {
     for (int thrower = 0; thrower < threads; ++thrower) {
       for (long when = 1; when <= kEpochs; ++when) {
-        TeamChoice choice{.threads = threads};
-        choice.disturb = test::randomDelays(static_cast<std::uint64_t>(when));
+        TeamPolicy policy;
+        policy.disturb = test::randomDelays(static_cast<std::uint64_t>(when));
         Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 1));
         try {
-          runTeam(choice, [&](Member& me) {
+          runTeam(threads, policy, [&](Member& me) {
             exchangeAll(me, exchange, kEpochs, [&](long epoch) {
               if (me.number() == thrower && epoch == when)
                 throw std::runtime_error("member " + std::to_string(thrower));
@@ -95,7 +95,7 @@ TEST(Team, AStopByAnyMemberAtAnyEpochEndsTheRunWithoutAnException) {
       for (long when = 1; when <= kEpochs; ++when) {
         Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 1));
         std::atomic<int> ended{0};
-        runTeam({.threads = threads}, [&](Member& me) {
+        runTeam(threads, {}, [&](Member& me) {
           bool leave = false;
           for (long epoch = 1; epoch <= kEpochs && !leave; ++epoch) {
             exchange.publish(me, epoch);
@@ -119,7 +119,7 @@ TEST(Team, TheFirstOfManyExceptionsIsTheOneThatArrives) {
   test::Watchdog watchdog;
   for (int round = 0; round < 50; ++round) {
     try {
-      runTeam({.threads = 4}, [](Member& me) { throw std::runtime_error(std::to_string(me.number())); });
+      runTeam(4, {}, [](Member& me) { throw std::runtime_error(std::to_string(me.number())); });
       ADD_FAILURE() << "no exception";
     } catch (const std::runtime_error& error) {
       EXPECT_LT(std::stoi(error.what()), 4);
@@ -132,7 +132,7 @@ TEST(Team, AWaitForWhatNeverComesEndsWhenTheTeamIsStoppedWhateverThePolicy) {
   for (const std::string& waiting : waitingNames()) {
     const int threads = std::min(2, static_cast<int>(allowedCores().size()));
     if (threads < 2) break;
-    runTeam({.threads = threads, .waiting = waiting}, [](Member& me) {
+    runTeam(threads, {.waiting = waitingKindOf(waiting)}, [](Member& me) {
       if (me.number() == 1) {
         std::this_thread::sleep_for(std::chrono::milliseconds(3));
         me.stopTeam();
@@ -147,16 +147,15 @@ TEST(Team, AWaitForWhatNeverComesEndsWhenTheTeamIsStoppedWhateverThePolicy) {
 TEST(Team, WrongChoicesAreRefusedBeforeAThreadStarts) {
   const auto never = [](Member&) { ADD_FAILURE() << "started"; };
   try {
-    runTeam({.threads = 0}, never);
+    runTeam(0, {}, never);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "team: threads = 0, must be >= 1");
   }
-  EXPECT_THROW(runTeam({.threads = 2, .waiting = "futex"}, never), std::invalid_argument);
   const int one_too_many = static_cast<int>(allowedCores().size()) + 1;
-  EXPECT_THROW(runTeam({.threads = one_too_many, .waiting = "spin"}, never), std::invalid_argument);
+  EXPECT_THROW(runTeam(one_too_many, {.waiting = WaitingKind::kSpin}, never), std::invalid_argument);
   try {
-    runTeam({.threads = 1, .priority = Priority::kFifo, .waiting = "yield"}, never);
+    runTeam(1, {.priority = Priority::kFifo, .waiting = WaitingKind::kYield}, never);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "waiting \"yield\" with SCHED_FIFO could lock the machine; take auto | sleep");
@@ -164,14 +163,14 @@ TEST(Team, WrongChoicesAreRefusedBeforeAThreadStarts) {
 }
 
 TEST(Team, TheReportSaysWhichPriorityWasGotAndWhyNotMore) {
-  for (const MemberReport& member : runTeam({.threads = 1}, [](Member&) {}).members) {
+  for (const MemberReport& member : runTeam(1, {}, [](Member&) {}).members) {
     EXPECT_EQ(member.priority, "normal");
     EXPECT_EQ(member.priority_note, "");
   }
   const int before = getpriority(PRIO_PROCESS, 0);
   std::atomic<int> nice{0};
   const TeamReport raised =
-      runTeam({.threads = 1, .priority = Priority::kRaised}, [&](Member&) { nice = getpriority(PRIO_PROCESS, 0); });
+      runTeam(1, {.priority = Priority::kRaised}, [&](Member&) { nice = getpriority(PRIO_PROCESS, 0); });
   const MemberReport& member = raised.members.front();
   if (member.priority == "normal") {
     EXPECT_NE(member.priority_note.find("nice -10 was refused ("), std::string::npos) << member.priority_note;
@@ -187,14 +186,14 @@ TEST(Team, TheReportSaysWhichPriorityWasGotAndWhyNotMore) {
 TEST(Team, RealTimePriorityIsGivenOnlyWithACoreToSpare) {
   const int all = static_cast<int>(allowedCores().size());
   std::atomic<bool> fifo{false};
-  const TeamReport full = runTeam({.threads = all, .priority = Priority::kFifo},
-                                  [&](Member&) { fifo = fifo || sched_getscheduler(0) == SCHED_FIFO; });
+  const TeamReport full =
+      runTeam(all, {.priority = Priority::kFifo}, [&](Member&) { fifo = fifo || sched_getscheduler(0) == SCHED_FIFO; });
   EXPECT_FALSE(fifo);
   EXPECT_EQ(full.members.front().priority_note.find("SCHED_FIFO needs a core to spare"), 0u)
       << full.members.front().priority_note;
   if (all < 2) return;
-  const TeamReport spare = runTeam({.threads = all - 1, .priority = Priority::kFifo},
-                                   [&](Member&) { fifo = sched_getscheduler(0) == SCHED_FIFO; });
+  const TeamReport spare =
+      runTeam(all - 1, {.priority = Priority::kFifo}, [&](Member&) { fifo = sched_getscheduler(0) == SCHED_FIFO; });
   const MemberReport& member = spare.members.front();
   EXPECT_EQ(fifo, member.priority == "SCHED_FIFO 10") << member.priority;
   EXPECT_EQ(!fifo, member.priority_note.starts_with("SCHED_FIFO was refused (")) << member.priority_note;
@@ -204,7 +203,7 @@ TEST(Team, ManyMoreThreadsThanCoresStillExchange) {
   test::Watchdog watchdog;
   constexpr int kThreads = 24;
   Exchange exchange(std::vector<int>(kThreads, 1));
-  runTeam({.threads = kThreads}, [&](Member& me) { exchangeAll(me, exchange, 40, [](long) {}); });
+  runTeam(kThreads, {}, [&](Member& me) { exchangeAll(me, exchange, 40, [](long) {}); });
 }
 
 }  // namespace

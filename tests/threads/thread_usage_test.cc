@@ -59,7 +59,7 @@ TEST(ThreadUsage, TwoThreadsOnOneCoreTakeTurnsAndTheKernelSaysSo) {
   test::Watchdog watchdog;
   const test::OnlyCore only(allowedCores().front());
   // Each computes until the kernel has taken the core away from it; the watchdog ends a kernel that never says so.
-  const TeamReport report = runTeam({.threads = 2}, [](Member&) {
+  const TeamReport report = runTeam(2, {}, [](Member&) {
     const ThreadUsage before = usageOfThisThread();
     for (bool has_waited = false; !has_waited;) {
       work(std::chrono::milliseconds(10));

@@ -22,7 +22,7 @@ void runSteps(Tracer& tracer, long steps, std::chrono::microseconds work) {
   test::Watchdog watchdog;
   Exchange exchange({1, 1});
   std::atomic<long> waits{-1};  // step of which member 1 is about to wait
-  runTeam({.threads = 2, .tracer = &tracer}, [&](Member& me) {
+  runTeam(2, {.tracer = &tracer}, [&](Member& me) {
     for (long step = 0; step < steps; ++step) {
       me.beginStep(step);
       if (me.number() == 0 && work.count() > 0) {

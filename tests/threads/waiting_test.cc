@@ -9,7 +9,7 @@ namespace {
 
 std::string refusalOf(const std::string& name, int threads, int cores) {
   try {
-    (void)waitingNamed(name, threads, cores);
+    (void)waitingFor(waitingKindOf(name), threads, cores);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -34,26 +34,33 @@ TEST(Waiting, AnUnknownNameAndSenselessCountsAreRefused) {
 }
 
 TEST(Waiting, ThreadsThatTakeTurnsGiveTheCoreAwaySooner) {
-  EXPECT_LT(waitingFor(3, 2).pauses, waitingFor(2, 2).pauses);
-  EXPECT_EQ(waitingNamed("auto", 3, 2).pauses, waitingFor(3, 2).pauses);
+  EXPECT_LT(waitingFor(WaitingKind::kAuto, 3, 2).pauses, waitingFor(WaitingKind::kAuto, 2, 2).pauses);
 }
 
 // A real-time thread that never sleeps would keep everybody else off its core.
 TEST(Waiting, OnlyPoliciesThatSleepInTheEndGiveWay) {
-  EXPECT_TRUE(givesWay(waitingNamed("auto", 2, 2)));
-  EXPECT_TRUE(givesWay(waitingNamed("auto", 4, 2)));
-  EXPECT_TRUE(givesWay(waitingNamed("sleep", 2, 2)));
-  EXPECT_FALSE(givesWay(waitingNamed("spin", 2, 2)));
-  EXPECT_FALSE(givesWay(waitingNamed("yield", 2, 2)));
+  EXPECT_TRUE(givesWay(waitingFor(WaitingKind::kAuto, 2, 2)));
+  EXPECT_TRUE(givesWay(waitingFor(WaitingKind::kAuto, 4, 2)));
+  EXPECT_TRUE(givesWay(waitingFor(WaitingKind::kSleep, 2, 2)));
+  EXPECT_FALSE(givesWay(waitingFor(WaitingKind::kSpin, 2, 2)));
+  EXPECT_FALSE(givesWay(waitingFor(WaitingKind::kYield, 2, 2)));
 }
 
-TEST(Waiting, PatienceOutlivesItsPausesAndYields) {
-  const Waiting waiting{.pauses = 3, .yields = 2, .sleep = 1e-6};
-  Patience patience(waiting);
-  for (int i = 0; i < 10; ++i) patience.turn();
+TEST(Waiting, NamesLeadBackToTheirKind) {
+  for (const std::string& name : waitingNames()) EXPECT_EQ(nameOf(waitingKindOf(name)), name);
+}
+
+TEST(Waiting, BlocksAfterItsPausesAndYields) {
+  YieldMemory memory;
+  const Waiting waiting{.pauses = 3, .yields = 0, .sleep = 1e-6};
+  Patience patience(waiting, memory);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(patience.turn());
+  EXPECT_FALSE(patience.turn());
+  Patience wanted(waiting, memory);
+  EXPECT_FALSE(wanted.turn(true)) << "no pause where the core is wanted";
   const Waiting forever{.pauses = Waiting::kForever, .yields = 0, .sleep = 0.0};
-  Patience endless(forever);
-  for (int i = 0; i < 10; ++i) endless.turn();
+  Patience endless(forever, memory);
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(endless.turn());
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ class InputAhead {
 
   const double* acquire(Member& me);
   bool isReadyInTime(Member& me, Slot& slot);
-  void release();
+  void release(Member& me);
   bool computeIfOpen(Member& me, long parcel, std::vector<StepBlock>& blocks);
   void compute(long parcel, std::vector<StepBlock>& blocks, double* u) const;
 

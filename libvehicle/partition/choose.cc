@@ -136,8 +136,8 @@ class Choosing {
     return rivals;
   }
 
-  /// What is left, in rounds of equal parts: the first way, then each rival. What else happens on the machine meets both
-  /// sides of a round alike, or one round among several.
+  /// What is left, in rounds of equal parts: the first way, then each rival. What else happens on the machine meets
+  /// both sides of a round alike, or one round among several.
   void tryByTurns(std::vector<Rival>& rivals) {
     const double part = budget_ / static_cast<double>(kMostRounds * (rivals.size() + 1));
     const Trial trial = trialOf(problem_, static_cast<long>(std::max(part, 0.25 * kLeastUseful) / made_.step));

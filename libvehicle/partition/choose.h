@@ -54,8 +54,9 @@ struct WayProblem {
 /// says what a way can reach at best. The most promising, or two that it cannot tell apart, are then tried on the first
 /// steps of the run itself, in rounds by turns with the first way: three rounds where all of them say the same clearly,
 /// up to nine otherwise. The median of the ratios decides, so that something else that uses the machine for a part of
-/// the trials changes nothing; the reason has their number and range. All of it takes about 60 ms at most and a fiftieth of
-/// the run: a run too short for that takes the first way at once. Results do not depend on it; only the time does.
+/// the trials changes nothing; the reason has their number and range. All of it takes about 60 ms at most and a
+/// fiftieth of the run: a run too short for that takes the first way at once. Results do not depend on it; only the
+/// time does.
 /// @param ways  not empty
 /// @throws what a way throws on the first steps of the run
 [[nodiscard]] Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways);

@@ -17,8 +17,8 @@ struct PartitionRun {
   std::vector<std::vector<int>> shares;  // (threads) equations in cut order; one share of all where they are not shared
 };
 
-/// One run on a team of threads: the bits of runRk4() for every number of threads and every map. State and channels are in the System's order; the observer is called on member 0,
-/// in order, while the caller waits.
+/// One run on a team of threads: the bits of runRk4() for every number of threads and every map. State and channels are
+/// in the System's order; the observer is called on member 0, in order, while the caller waits.
 ///
 /// An observer that returns false, a state that is no longer finite, or an exception of the observer ends the run on
 /// all threads; exceptions reach the caller.

@@ -5,13 +5,13 @@
 // 1. Who blocks adds itself to `sleepers_`, reads `rings_`, looks once more, and sleeps in the kernel as long as
 //    `rings_` is what it read. Who publishes stores its value first, then looks at `sleepers_`; where there is one, it
 //    raises `rings_` and wakes all.
-// 2. A ring after the reading of `rings_` is never lost: the kernel compares the word before it puts the thread to sleep.
+// 2. A ring after the reading of `rings_` is never lost: the kernel compares the word before it lets the thread sleep.
 // 3. The store of the value and the look at `sleepers_` may pass each other, as no fence stands between them: one costs
 //    as much as a step of a small vehicle. A ring can therefore be missed in the nanoseconds in which somebody goes to
-//    sleep; the time limit of the sleep makes up for it. It is a matter of time and never of values. Where both stand on
-//    one core nothing passes: the core sees its own stores in order, and a change of threads is a fence.
-// 4. Values are delivered by whatever `ready` looks at (acquire), as without the bell: nothing here orders them. The two
-//    words are atomic and no plain data is shared, so the thread sanitizer has nothing to report.
+//    sleep; the time limit of the sleep makes up for it. It is a matter of time and never of values. Where both stand
+//    on one core nothing passes: the core sees its own stores in order, and a change of threads is a fence.
+// 4. Values are delivered by whatever `ready` looks at (acquire), as without the bell: nothing here orders them. The
+//    two words are atomic and no plain data is shared, so the thread sanitizer has nothing to report.
 // 5. One bell a member, rung by that member alone: while nobody blocks, its line stays in the caches of its core and
 //    publishing costs one load.
 

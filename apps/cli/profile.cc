@@ -120,7 +120,7 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
 
 Action addProfile(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  options->choice.threads = 4;
+  options->choice.sharing.threads = 4;
   options->choice.method = "rk4";
   CLI::App* command = program.add_subcommand("profile", "show how threads that share a run compute, wait and move");
   addVehicleFile(*command, options->files);
@@ -137,7 +137,7 @@ Action addProfile(CLI::App& program) {
   command->add_option("--form", options->choice.form, "flat | matrix   (default: flat where it fits, else matrix)")
       ->type_name("NAME")
       ->check(oneOf(formNames()));
-  command->add_option("--method", options->choice.method, "rk4 | exact | rk4_split | exact_split   (default: rk4)")
+  command->add_option("--method", options->choice.method, "rk4 | rk4_split   (default: rk4)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));
   addQuantity(*command, "--speed", Dimension::kSpeed, "running speed   (default: from SCENARIO)",

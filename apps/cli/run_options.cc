@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -10,7 +11,7 @@
 
 #include "apps/cli/options.h"
 #include "libvehicle/partition/scheme.h"
-#include "libvehicle/partition/team/waiting.h"
+#include "libvehicle/threads/waiting.h"
 #include "libvehicle/simulate/thread_choice.h"
 
 namespace vehicle::cli {
@@ -36,7 +37,9 @@ constexpr Setting kSettings[] = {
 };
 
 /// One thread, known before the run: the number is 1, or the scheme says so.
-bool isAlone(const RunChoice& choice) { return choice.threads == 1 || choice.scheme == nameOf(Scheme::kSerial); }
+bool isAlone(const RunChoice& choice) {
+  return choice.sharing.threads == 1 || choice.sharing.scheme == Scheme::kSerial;
+}
 
 int threadsOf(const std::string& text) {
   if (text == "auto") return 0;
@@ -51,9 +54,9 @@ int threadsOf(const std::string& text) {
   return threads;
 }
 
-void addName(CLI::App& command, const char* option, std::string& name, const std::vector<std::string>& names,
-             const char* help) {
-  command.add_option(option, name, help)->type_name("NAME")->check(oneOf(names));
+void addName(CLI::App& command, const char* option, const std::vector<std::string>& names, const char* help,
+             const std::function<void(const std::string&)>& take) {
+  command.add_option_function<std::string>(option, take, help)->type_name("NAME")->check(oneOf(names));
 }
 
 // A table of names and what they stand for makes an option of its own type.
@@ -74,20 +77,23 @@ void addChoice(CLI::App& command, const char* option, Value& value, const std::m
 void addSharing(CLI::App& command, RunChoice& choice, const std::string& default_threads) {
   command
       .add_option_function<std::string>(
-          "--threads", [&choice](const std::string& text) { choice.threads = threadsOf(text); },
+          "--threads", [&choice](const std::string& text) { choice.sharing.threads = threadsOf(text); },
           "threads that share the run, or auto: what a short calibration finds to be fastest   (default: " +
               default_threads + ")")
       ->type_name("N");
-  addName(command, "--scheme", choice.scheme, schemeNames(),
-          "how they share it: serial | stages | halo | pipeline (rk4), rows (exact), "
-          "split (rk4_split, exact_split)   (default: serial on 1 thread, else the fastest known for the method)");
-  addName(command, "--map", choice.map, equationMapNames(),
-          "stages, halo, rows: who computes which equation, paper | body | auto   (default: auto)");
+  addName(command, "--scheme", schemeNames(),
+          "how they share it: serial | stages | halo | pipeline (rk4), split (rk4_split)   (default: serial on 1 "
+          "thread, else the fastest known for the method)",
+          [&choice](const std::string& name) { choice.sharing.scheme = schemeOf(name); });
+  addName(command, "--map", equationMapNames(),
+          "stages, halo: who computes which equation, paper | body | auto   (default: auto)",
+          [&choice](const std::string& name) { choice.sharing.map = equationMapOf(name); });
 }
 
-void addTeam(CLI::App& command, TeamChoice& team) {
-  addName(command, "--waiting", team.waiting, waitingNames(),
-          "how a thread waits for another: auto | spin | yield | sleep   (default: auto)");
+void addTeam(CLI::App& command, TeamPolicy& team) {
+  addName(command, "--waiting", waitingNames(),
+          "how a thread waits for another: auto | spin | yield | sleep   (default: auto)",
+          [&team](const std::string& name) { team.waiting = waitingKindOf(name); });
   addChoice(command, "--pinning", team.pinning,
             std::map<std::string, Pinning>{{"cores", Pinning::kCores}, {"free", Pinning::kFree}},
             "cores: each thread stays on a core of its own as far as there are enough; free: the scheduler moves "
@@ -126,15 +132,15 @@ void requireSpeedUsed(const CLI::App& command, const std::vector<Scenario>& scen
 
 void requireSharingUsed(const CLI::App& command, const RunChoice& choice) {
   if (!isAlone(choice)) return;
-  const bool shares = !choice.scheme.empty() && choice.scheme != nameOf(Scheme::kSerial);
+  const bool shares = choice.sharing.scheme && choice.sharing.scheme != Scheme::kSerial;
   if (isGiven(command, "--scheme") && shares) {
-    refuseWithoutEffect(fmt::format("--scheme {}", choice.scheme), "the run has one thread and shares nothing",
-                        "omit it, or add --threads 2");
+    refuseWithoutEffect(fmt::format("--scheme {}", nameOf(*choice.sharing.scheme)), "the run has one thread and shares nothing",
+           "omit it, or add --threads 2");
   }
   if (isGiven(command, "--map")) {
-    refuseWithoutEffect(fmt::format("--map {}", choice.map), "the run has one thread, which computes all equations",
-                        shares || choice.scheme.empty() ? "omit it, or add --threads 2"
-                                                        : "omit it, or take --threads 2 with another scheme");
+    refuseWithoutEffect(fmt::format("--map {}", nameOf(choice.sharing.map)), "the run has one thread, which computes all equations",
+           shares || !choice.sharing.scheme ? "omit it, or add --threads 2"
+                                            : "omit it, or take --threads 2 with another scheme");
   }
 }
 

@@ -10,11 +10,11 @@
 namespace vehicle::cli {
 
 /// --threads, --scheme and --map: how many threads share a run, and how. They change its speed and no bit of it.
-/// @param default_threads  as the help names it; `choice.threads` already holds it
+/// @param default_threads  as the help names it; `choice.sharing.threads` already holds it
 void addSharing(CLI::App& command, RunChoice& choice, const std::string& default_threads);
 
 /// --waiting, --pinning and --priority: what a team of threads asks of the scheduler.
-void addTeam(CLI::App& command, TeamChoice& team);
+void addTeam(CLI::App& command, TeamPolicy& team);
 
 // Options of a run that would have no effect beside the others and the files given are refused, each with the reason
 // and what to do. All throw std::invalid_argument. `command` knows which options were given.

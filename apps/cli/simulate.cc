@@ -115,7 +115,7 @@ Action addSimulate(CLI::App& program) {
       ->add_option("--method", options->choice.method,
                    "rk4 (fixed step) | dopri5 (adaptive step) | exact (matrix exponential) | simbody_rkm (adaptive, by "
                    "Simbody), or for a flat vehicle whose front and rear are alike "
-                   "rk4_split | exact_split   "
+                   "rk4_split   "
                    "(default: exact where it fits and there are 64 states or fewer, else dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));

@@ -106,11 +106,10 @@ ExactPropagator::ExactPropagator(const Eigen::MatrixXd& A, const Eigen::MatrixXd
     turn_.push_back(std::cos(frequency * length));
     turn_.push_back(std::sin(frequency * length));
   }
-  increment_.resize(2 * static_cast<std::size_t>(n));
-  two_sums_ = (size_ == 8 || size_ == 4) && frequencies() == 2;
-  kernel_ = !two_sums_ ? &ExactPropagator::generalKernel
-            : size_ == 8 ? &ExactPropagator::kernel<8, 2>
-                         : &ExactPropagator::kernel<4, 2>;
+  increment_.resize(static_cast<std::size_t>(n));
+  kernel_ = (size_ != 8 && size_ != 4) || frequencies() != 2 ? &ExactPropagator::generalKernel
+            : size_ == 8                                     ? &ExactPropagator::kernel<8, 2>
+                                                             : &ExactPropagator::kernel<4, 2>;
 }
 
 void ExactPropagator::seed(double s, double* oscillators) const {
@@ -165,28 +164,6 @@ void ExactPropagator::generalKernel(double* x, double* oscillators) {
   turn(turn_.data(), frequencies(), oscillators);
 }
 
-// The sums of the kernels above, row by row: one sum of all columns, or one of the even and one of the odd.
-void ExactPropagator::propagateRows(std::span<const RowRun> rows, const double* x, double* oscillators,
-                                    double* moved) {
-  const int columns = size_ + 2 * frequencies();
-  const std::ptrdiff_t n = size_;
-  for (const RowRun& run : rows) {
-    double* even = increment_.data();
-    double* odd = two_sums_ ? even + run.count : even;
-    std::fill_n(even, two_sums_ ? 2 * run.count : run.count, 0.0);
-    const double* column = columns_.data() + run.first;
-    for (int j = 0; j < columns; ++j, column += n) {
-      const double by = j < size_ ? x[j] : oscillators[j - size_];
-      double* increment = j % 2 == 0 ? even : odd;
-      for (int i = 0; i < run.count; ++i) increment[i] += column[i] * by;
-    }
-    for (int i = 0; i < run.count; ++i) {
-      *moved++ = x[run.first + i] + (two_sums_ ? even[i] + odd[i] : even[i]);
-    }
-  }
-  turn(turn_.data(), frequencies(), oscillators);
-}
-
 PolynomialGain::PolynomialGain(const StateSpace& system, double length) : length_(length) {
   constexpr Eigen::Index kPowers = InputSegment::kPolynomial;
   const Eigen::Index n = system.A.rows();
@@ -207,12 +184,6 @@ PolynomialGain::PolynomialGain(const StateSpace& system, double length) : length
 }
 
 void PolynomialGain::add(const InputSegment& segment, double s, double* x) const {
-  const RowRun all{0, static_cast<int>(gain_.rows())};
-  addRows(segment, s, {&all, 1}, x);
-}
-
-void PolynomialGain::addRows(const InputSegment& segment, double s, std::span<const RowRun> rows,
-                             double* moved) const {
   const Eigen::Index n = gain_.rows();
   const Eigen::Index w = gain_.cols() / InputSegment::kPolynomial;
   for (Eigen::Index j = 0; j < w; ++j) {
@@ -224,10 +195,7 @@ void PolynomialGain::addRows(const InputSegment& segment, double s, std::span<co
       const double value = derivative[static_cast<std::size_t>(k)];
       if (value == 0.0) continue;
       const double* column = gain_.data() + (k * w + j) * n;
-      double* to = moved;
-      for (const RowRun& run : rows) {
-        for (int i = 0; i < run.count; ++i) *to++ += column[run.first + i] * value;
-      }
+      for (Eigen::Index i = 0; i < n; ++i) x[i] += column[i] * value;
     }
   }
 }

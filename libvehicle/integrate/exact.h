@@ -10,12 +10,6 @@
 
 namespace vehicle {
 
-/// Rows first .. first+count-1 of a state or a matrix.
-struct RowRun {
-  int first = 0;
-  int count = 0;
-};
-
 /// Moves the state of x' = A x + sum_f [ forcing(:,2f) cos(w_f s) + forcing(:,2f+1) sin(w_f s) ] by exactly h:
 ///
 ///     x(s + h) = x(s) + E x(s) + sum_f [ gain(:,2f) cos(w_f s) + gain(:,2f+1) sin(w_f s) ],    E = e^(A h) - I
@@ -52,12 +46,6 @@ class ExactPropagator {
   /// @param x  (n), updated in place   @param oscillators  (2 F), updated in place
   void propagate(double* x, double* oscillators) { (this->*kernel_)(x, oscillators); }
 
-  /// Some rows of propagate(), with its bits: every row is summed by itself in the same order.
-  /// @param x            (n) at s
-  /// @param oscillators  (2 F) at s, updated in place to s + h
-  /// @param moved        the rows at s + h, one run after the other
-  void propagateRows(std::span<const RowRun> rows, const double* x, double* oscillators, double* moved);
-
  private:
   template <int N, int F>
   void kernel(double* x, double* oscillators);
@@ -69,8 +57,7 @@ class ExactPropagator {
   int exponentials_ = 0;
   std::vector<double> columns_;    // (n x (n + 2 F)) column-major: E, then the gains
   std::vector<double> turn_;       // (2 F) cos(w_f h), sin(w_f h)
-  bool two_sums_ = false;          // the kernel in use adds even and odd columns apart
-  std::vector<double> increment_;  // (2 n) scratch of the general kernel and of single rows
+  std::vector<double> increment_;  // (n) scratch of the general kernel
   void (ExactPropagator::*kernel_)(double*, double*) = nullptr;
 };
 
@@ -89,10 +76,6 @@ class PolynomialGain {
   /// x += the effect of the segment's polynomials from s = t - segment.begin to s + h.
   /// @param x  (n)
   void add(const InputSegment& segment, double s, double* x) const;
-
-  /// Some rows of add(), with its bits.
-  /// @param moved  the rows, one run after the other
-  void addRows(const InputSegment& segment, double s, std::span<const RowRun> rows, double* moved) const;
 
  private:
   double length_;

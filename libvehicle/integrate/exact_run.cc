@@ -10,14 +10,6 @@ namespace {
 
 constexpr const char* kName = "exact";
 
-struct AllRows {
-  void move(ExactPropagator& propagator, const PolynomialGain* gain, const InputSegment& segment, double s,
-            double* oscillators, Eigen::VectorXd& x) {
-    propagator.propagate(x.data(), oscillators);
-    if (gain != nullptr) gain->add(segment, s, x.data());
-  }
-};
-
 }  // namespace
 
 StateSpace matricesForExact(const System& system, const Input& input, std::span<const double> x0) {
@@ -34,7 +26,7 @@ StateSpace matricesForExact(const System& system, const Input& input, std::span<
 
 Statistics runExact(const System& system, const Input& input, const Schedule& schedule, std::span<const double> x0,
                     const Observer& observe) {
-  ExactRun run(matricesForExact(system, input, x0), input, schedule, x0, AllRows{});
+  ExactRun run(matricesForExact(system, input, x0), input, schedule, x0);
   const Stretch first = schedule.stretches().front();
   if (!observe(0, first.segment, first.begin, run.state())) return {.stopped = true};
   bool stopped = false;

@@ -13,20 +13,14 @@
 
 namespace vehicle {
 
-/// A whole run of exact propagation, apart from who computes which row.
+/// A whole run of exact propagation.
 ///
 /// Propagators of a segment with harmonics live as long as the segment; without harmonics they and the polynomial gains
 /// know nothing of the segment and are kept, so that thousands of stored samples share one.
-///
-/// @tparam Mover  move(ExactPropagator&, const PolynomialGain* or nullptr, const InputSegment&, double s,
-///                double* oscillators, Eigen::VectorXd& x): x and oscillators from s to s + h
-template <class Mover>
 class ExactRun {
  public:
-  ExactRun(StateSpace matrices, const Input& input, const Schedule& schedule, std::span<const double> x0,
-           Mover mover)
-      : mover_(std::move(mover)),
-        matrices_(std::move(matrices)),
+  ExactRun(StateSpace matrices, const Input& input, const Schedule& schedule, std::span<const double> x0)
+      : matrices_(std::move(matrices)),
         input_(input),
         schedule_(schedule),
         x_(Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()))),
@@ -57,7 +51,8 @@ class ExactRun {
       turns_ = 0;
     }
     const PolynomialGain* gain = polynomial_ ? &gainFor(propagator.length()) : nullptr;
-    mover_.move(propagator, gain, segment, stretch.begin - segment.begin, oscillators_.data(), x_);
+    propagator.propagate(x_.data(), oscillators_.data());
+    if (gain != nullptr) gain->add(segment, stretch.begin - segment.begin, x_.data());
     ++turns_;
     ++statistics_.steps;
     lag_ += length - propagator.length();
@@ -124,7 +119,6 @@ class ExactRun {
   static constexpr double kSameLength = 1e-9;
   static constexpr std::size_t kMostKept = 256;
 
-  Mover mover_;
   StateSpace matrices_;
   const Input& input_;
   const Schedule& schedule_;

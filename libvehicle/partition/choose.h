@@ -6,9 +6,8 @@
 
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/scheme.h"
-#include "libvehicle/partition/team/team.h"
-#include "libvehicle/system/schedule.h"
-#include "libvehicle/system/system.h"
+#include "libvehicle/system/run_problem.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 
@@ -16,8 +15,8 @@ namespace vehicle {
 struct Candidate {
   Scheme scheme = Scheme::kSerial;
   int threads = 1;
-  double predicted = 0.0;  // [s] a step, from the figures of the calibration
-  double measured = 0.0;   // [s] a step, on a short stretch of the run itself; 0: the prediction ruled it out
+  double predicted = 0.0;  // [s] a step at best, by the rule of thumb of its scheme
+  double measured = 0.0;   // [s] a step, the median of its trials; 0: the rule of thumb ruled it out
 };
 
 /// Which way was taken and why; plain data, so that it can be printed.
@@ -28,8 +27,6 @@ struct Decision {
   double calibration = 0.0;            // [s] spent on finding out
   double step = 0.0;                   // [s] one serial step, input included; 0: not measured
   double input = 0.0;                  // [s] of it for the input
-  double equation = 0.0;               // [s] the rest, shared out evenly among the equations
-  std::vector<double> exchange{};      // [s] one empty exchange between 2, 3, ... threads; 1: not measured
   std::vector<Candidate> candidates{}; // serial first, then in the order weighed
 };
 
@@ -45,27 +42,21 @@ struct Way {
 
 /// The run that is to be sped up.
 struct WayProblem {
-  const System& system;
-  const Input& input;
-  const Schedule& schedule;
-  long steps = 0;                 // of the whole run
-  bool a_step_a_sample = false;   // of an exact method: its steps are the output samples
+  const RunProblem& run;
+  long steps = 0;  // of the whole run
   EquationMap map = EquationMap::kAuto;
-  const TeamChoice& team;         // its threads are not read
   std::function<double()> now = secondsNow;  // [s] the clock that trials are timed by
 };
 
-/// The fastest of several ways that give the same bits. The first is taken unless another one wins clearly.
+/// The fastest of several ways that give the same bits. The first is taken unless another one wins.
 ///
-/// Prediction first: the costs of a step, of its input and of an empty exchange say what each way can reach at best.
-/// Those that promise something are then tried on the first steps of the run itself, against the first way before and
-/// after. All of it takes about 15 ms at most and about a sixtieth of the run: a run too short for that takes the
-/// first way at once, and so does one whose trials would take that long before their first step (an exact method finds
-/// its matrices anew for each). Where the first way's two timings do not agree, something else is using the machine and
-/// no timing means anything: the first way again.
-///
-/// A way is taken if its trial is at least 5 % faster, so that the choice costs a sixtieth of the run at worst.
-/// Results do not depend on it; only the time does.
+/// A rule of thumb first: the cost of a step and of its input, counted for what each scheme must compute and exchange,
+/// says what a way can reach at best. The most promising, or two that it cannot tell apart, are then tried on the first
+/// steps of the run itself, in rounds by turns with the first way: three rounds where all of them say the same clearly,
+/// up to nine otherwise. The median of the ratios decides, so that something else that uses the machine for a part of
+/// the trials changes nothing; the reason has their number and range. All of it takes about 60 ms at most and a
+/// fiftieth of the run: a run too short for that takes the first way at once. Results do not depend on it; only the
+/// time does.
 /// @param ways  not empty
 /// @throws what a way throws on the first steps of the run
 [[nodiscard]] Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways);

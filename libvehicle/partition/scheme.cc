@@ -18,7 +18,7 @@ std::size_t numberOf(const char* what, const std::string& name, const std::vecto
 }  // namespace
 
 const std::vector<std::string>& schemeNames() {
-  static const std::vector<std::string> names = {"serial", "stages", "halo", "rows", "pipeline", "split"};
+  static const std::vector<std::string> names = {"serial", "stages", "halo", "pipeline", "split"};
   return names;
 }
 
@@ -26,9 +26,7 @@ const char* nameOf(Scheme scheme) { return schemeNames()[static_cast<std::size_t
 
 Scheme schemeOf(const std::string& name) { return static_cast<Scheme>(numberOf("scheme", name, schemeNames())); }
 
-bool sharesEquations(Scheme scheme) {
-  return scheme == Scheme::kStages || scheme == Scheme::kHalo || scheme == Scheme::kRows;
-}
+bool sharesEquations(Scheme scheme) { return scheme == Scheme::kStages || scheme == Scheme::kHalo; }
 
 const std::vector<std::string>& equationMapNames() {
   static const std::vector<std::string> names = {"paper", "body", "auto"};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,6 @@ enum class Scheme {
   kSerial,    // "serial"    one thread; a long train goes through the cache in blocks
   kStages,    // "stages"    rk4: every thread its equations, the state exchanged at every stage (the paper's design)
   kHalo,      // "halo"      rk4: neighbours' equations computed redundantly, one exchange a step
-  kRows,      // "rows"      exact: every thread its rows of the propagator, one exchange a step
   kPipeline,  // "pipeline"  rk4: one thread steps, the others compute the input ahead in blocks
   kSplit,     // "split"     symmetric vehicle: bounce and pitch go their own ways, no exchange
 };
@@ -33,5 +33,13 @@ enum class EquationMap {
 [[nodiscard]] const char* nameOf(EquationMap map);
 /// @throws std::invalid_argument for a name that does not exist
 [[nodiscard]] EquationMap equationMapOf(const std::string& name);
+
+/// How threads are to share one run.
+struct Sharing {
+  int threads = 1;                       // 0 where a choice is made: as many as are fastest
+  std::optional<Scheme> scheme{};        // nothing: serial on 1 thread, else chosen
+  EquationMap map = EquationMap::kAuto;  // stages, halo
+  friend bool operator==(const Sharing&, const Sharing&) = default;
+};
 
 }  // namespace vehicle

@@ -1,7 +1,6 @@
 #include "libvehicle/partition/trial.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace vehicle {
@@ -19,18 +18,13 @@ Input beginningOf(const Input& input, double end) {
 }  // namespace
 
 Trial trialOf(const WayProblem& problem, long steps) {
-  const double begin = problem.input.begin();
-  const double h = (problem.input.end() - begin) / static_cast<double>(problem.steps);
+  const Input& whole = problem.run.input;
+  const double h = (whole.end() - whole.begin()) / static_cast<double>(problem.steps);
   steps = std::clamp(steps, std::min(8l, problem.steps), problem.steps);
-  double output_step = problem.schedule.outputStep();
-  double length = h * static_cast<double>(steps);
-  if (problem.a_step_a_sample) {
-    steps = std::clamp(std::lround(length / output_step), std::min(8l, problem.steps), problem.steps);
-    length = static_cast<double>(steps) * output_step;
-  } else {
-    output_step = std::min(output_step, length / static_cast<double>(std::min(64l, steps)));
-  }
-  Input input = beginningOf(problem.input, begin + std::min(length, problem.input.end() - begin));
+  const double length = std::min(h * static_cast<double>(steps), whole.end() - whole.begin());
+  const double output_step =
+      std::min(problem.run.schedule.outputStep(), length / static_cast<double>(std::min(64l, steps)));
+  Input input = beginningOf(whole, whole.begin() + length);
   Schedule schedule(input, output_step);
   return {std::move(input), std::move(schedule), steps};
 }

@@ -7,68 +7,69 @@
 #include "libvehicle/integrate/failure.h"
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
-#include "libvehicle/partition/schemes/stage_by_type.h"
 
 namespace vehicle {
 
 namespace {
 
 // Runs in the form's inner order, shows in the vehicle's.
-// @param run  callable as run(input, x0, observer), all in inner order
+// @param run  callable as run(form, problem, observer), the latter two in inner order
 template <class Run>
-auto runInInnerOrder(const FlatForm& form, const Input& input, std::span<const double> x0,
-                           const Observer& observe, Run run) {
+auto runInInnerOrder(const char* method, const RunProblem& problem, const Observer& observe, Run run) {
+  const FlatForm& form = *flatFormOf(problem);
+  checkStart(method, problem.x0, form.size());
   const std::array<int, 8>& order = form.stateOrder();
   std::array<double, 8> inner{};
   std::array<double, 8> outer{};
-  for (std::size_t i = 0; i < inner.size(); ++i) inner[i] = x0[static_cast<std::size_t>(order[i])];
+  for (std::size_t i = 0; i < inner.size(); ++i) inner[i] = problem.x0[static_cast<std::size_t>(order[i])];
   const Observer observeInVehicleOrder = [&](int sample, int segment, double t, std::span<const double> x) {
     for (std::size_t i = 0; i < outer.size(); ++i) outer[static_cast<std::size_t>(order[i])] = x[i];
     return observe(sample, segment, t, outer);
   };
-  return run(input.inOrder(form.wheelOrder()), inner, observeInVehicleOrder);
+  const Input input = problem.input.inOrder(form.wheelOrder());
+  return run(*form.rhs(), RunProblem{form, input, problem.schedule, inner}, observeInVehicleOrder);
+}
+
+/// A printed variant has no right-hand side by type.
+bool isByType(const RunProblem& problem) {
+  const FlatForm* form = flatFormOf(problem);
+  return form != nullptr && form->rhs() != nullptr;
 }
 
 }  // namespace
 
-Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                      std::span<const double> x0, const Observer& observe) {
-  if (form.rhs() == nullptr) return runRk4(form, input, schedule, step, x0, observe);
-  checkStart("rk4", x0, form.size());
-  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x,
-                                                       const Observer& show) {
-    Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
-    return runFixedStep(stepper, u, schedule, step, x, show);
-  });
+const FlatForm* flatFormOf(const RunProblem& problem) { return dynamic_cast<const FlatForm*>(&problem.system); }
+
+Statistics runFlatRk4(const RunProblem& problem, FixedStep step, const Observer& observe) {
+  if (!isByType(problem)) {
+    return runRk4(problem.system, problem.input, problem.schedule, step, problem.x0, observe);
+  }
+  return runInInnerOrder("rk4", problem, observe,
+                         [&](const FlatRhs& rhs, const RunProblem& inner, const Observer& show) {
+                           Rk4<FlatRhs, FlatRhs::kStates> stepper(rhs);
+                           return runFixedStep(stepper, inner.input, inner.schedule, step, inner.x0, show);
+                         });
 }
 
-PipelineRun runFlatPipeline(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                            std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
-  if (form.rhs() == nullptr) return runPipeline(form, input, schedule, step, x0, observe, team);
-  checkStart("rk4", x0, form.size());
-  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x,
-                                                       const Observer& show) {
-    Rk4<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
-    return runPipelined(stepper, u.channels(), sweepRows(u), schedule, step, x, show, team);
-  });
+PipelineRun runFlatPipeline(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
+                            const TeamPolicy& team) {
+  if (!isByType(problem)) return runPipeline(problem, step, observe, threads, team);
+  return runInInnerOrder("rk4", problem, observe,
+                         [&](const FlatRhs& rhs, const RunProblem& inner, const Observer& show) {
+                           Rk4<FlatRhs, FlatRhs::kStates> stepper(rhs);
+                           return runPipelined(stepper, inner, {step, sweepRows(inner.input), threads}, show, team);
+                         });
 }
 
-PartitionRun runFlatStages(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                           std::span<const double> x0, const Observer& observe, const PartitionChoice& choice) {
-  // A printed variant is refused there: it cannot be cut.
-  if (form.rhs() == nullptr) return runPartitioned(form, input, schedule, step, x0, observe, choice);
-  return runStageExchangeByType(*form.rhs(), form, input, schedule, step, x0, observe, choice);
-}
-
-Statistics runFlatDopri5(const FlatForm& form, const Input& input, const Schedule& schedule, Accuracy accuracy,
-                         std::span<const double> x0, const Observer& observe) {
-  if (form.rhs() == nullptr) return runDopri5(form, input, schedule, accuracy, x0, observe);
-  checkStart("dopri5", x0, form.size());
-  return runInInnerOrder(form, input, x0, observe, [&](const Input& u, std::span<const double> x,
-                                                       const Observer& show) {
-    Dopri5<FlatRhs, FlatRhs::kStates> stepper(*form.rhs());
-    return runAdaptive(stepper, u, schedule, accuracy, x, show);
-  });
+Statistics runFlatDopri5(const RunProblem& problem, Accuracy accuracy, const Observer& observe) {
+  if (!isByType(problem)) {
+    return runDopri5(problem.system, problem.input, problem.schedule, accuracy, problem.x0, observe);
+  }
+  return runInInnerOrder("dopri5", problem, observe,
+                         [&](const FlatRhs& rhs, const RunProblem& inner, const Observer& show) {
+                           Dopri5<FlatRhs, FlatRhs::kStates> stepper(rhs);
+                           return runAdaptive(stepper, inner.input, inner.schedule, accuracy, inner.x0, show);
+                         });
 }
 
 }  // namespace vehicle

@@ -1,31 +1,27 @@
 #pragma once
 
-#include <span>
-
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/integrate/run.h"
-#include "libvehicle/partition/run.h"
 #include "libvehicle/partition/schemes/pipeline.h"
+#include "libvehicle/system/run_problem.h"
 
 namespace vehicle {
 
 // Methods on the flat form by type: the compiler sees equations and stepper as one, no virtual call in between.
 // Each gives the bits of its namesake on the same form; the printed variants go that way.
 
+/// The problem's system where it is the flat form, else nullptr.
+[[nodiscard]] const FlatForm* flatFormOf(const RunProblem& problem);
+
 /// runRk4() by type.
-Statistics runFlatRk4(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                      std::span<const double> x0, const Observer& observe);
+/// @param problem  of the flat form, here and below
+Statistics runFlatRk4(const RunProblem& problem, FixedStep step, const Observer& observe);
 
 /// runPipeline() by type.
-PipelineRun runFlatPipeline(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                            std::span<const double> x0, const Observer& observe, const TeamChoice& team);
-
-/// runStageExchange() by type: a thread's own equations and its step as one.
-PartitionRun runFlatStages(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                           std::span<const double> x0, const Observer& observe, const PartitionChoice& choice);
+PipelineRun runFlatPipeline(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
+                            const TeamPolicy& team);
 
 /// runDopri5() by type.
-Statistics runFlatDopri5(const FlatForm& form, const Input& input, const Schedule& schedule, Accuracy accuracy,
-                         std::span<const double> x0, const Observer& observe);
+Statistics runFlatDopri5(const RunProblem& problem, Accuracy accuracy, const Observer& observe);
 
 }  // namespace vehicle

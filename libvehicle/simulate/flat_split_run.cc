@@ -8,6 +8,7 @@
 #include "libvehicle/integrate/fixed_step_run.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/partition/schemes/pipeline.h"
+#include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/system/mixed_input.h"
 
 namespace vehicle {
@@ -32,14 +33,16 @@ class BothHalvesRhs {
   FlatHalfRhs pitch_;
 };
 
-/// What both methods share: the start in halves, the way back for the observer, the input of each half.
+/// The start in halves, the way back for the observer, the input of each half.
 class SplitRun {
  public:
-  SplitRun(const char* method, const FlatForm& form, const Input& input, const Schedule& schedule,
-           std::span<const double> x0, const Observer& observe)
-      : split_(form), schedule_(schedule), observe_(observe), both_(mixed(method, input, split_.mixing())) {
-    checkStart(method, x0, form.size());
-    split_.toHalves(x0, start_);
+  SplitRun(const char* method, const RunProblem& problem, const Observer& observe)
+      : split_(*flatFormOf(problem)),
+        schedule_(problem.schedule),
+        observe_(observe),
+        both_(mixed(method, problem.input, split_.mixing())) {
+    checkStart(method, problem.x0, problem.system.size());
+    split_.toHalves(problem.x0, start_);
   }
 
   [[nodiscard]] const FlatSplit& split() const { return split_; }
@@ -52,18 +55,19 @@ class SplitRun {
     };
   }
 
-  /// @param run  callable as run(half, input, start, observer, member)
+  /// @param run  callable as run(half, problem of the half, observer, member)
   template <class Run>
-  PartsRun runApart(const TeamChoice& team, Run run) {
+  PartsRun runApart(int threads, const TeamPolicy& team, Run run) {
     const std::array<Input, 2> inputs = {mixedInput(both_, std::array{1.0, 0.0}),
                                          mixedInput(both_, std::array{0.0, 1.0})};
     const auto part = [&](const FlatHalf& half, std::size_t number) {
       return IndependentPart{FlatHalfRhs::kStates, [&, number](const Observer& show, Member* me) {
-                               return run(half, inputs[number], start().subspan(4 * number, 4), show, me);
+                               const RunProblem own{half, inputs[number], schedule_, start().subspan(4 * number, 4)};
+                               return run(half, own, show, me);
                              }};
     };
     return runIndependentParts({part(split_.bounce(), 0), part(split_.pitch(), 1)}, schedule_.samples(), observer(),
-                               team);
+                               threads, team);
   }
 
  private:
@@ -82,39 +86,25 @@ class SplitRun {
 
 }  // namespace
 
-PartsRun runFlatRk4Split(const FlatForm& form, const Input& input, const Schedule& schedule, FixedStep step,
-                         std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
-  SplitRun run("rk4_split", form, input, schedule, x0, observe);
-  if (team.threads == 1) {
+PartsRun runFlatRk4Split(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
+                         const TeamPolicy& team) {
+  SplitRun run("rk4_split", problem, observe);
+  if (threads == 1) {
     Rk4<BothHalvesRhs, 8> stepper(BothHalvesRhs(run.split()));
     PartsRun alone;
-    alone.statistics = runFixedStep(stepper, run.bothInputs(), schedule, step, run.start(), run.observer());
+    alone.statistics = runFixedStep(stepper, run.bothInputs(), problem.schedule, step, run.start(), run.observer());
     alone.statistics.evaluations *= 2;  // of two systems, as on two threads
     return alone;
   }
-  return run.runApart(team, [&](const FlatHalf& half, const Input& u, std::span<const double> x, const Observer& show,
-                                Member* me) {
-    Rk4<FlatHalfRhs, FlatHalfRhs::kStates> stepper(half.rhs());
-    if (me == nullptr || team.tracer == nullptr) return runFixedStep(stepper, u, schedule, step, x, show);
-    TracedStepper<Rk4<FlatHalfRhs, FlatHalfRhs::kStates>> traced{stepper, *me};
-    return runFixedStep(traced, u, schedule, step, x, show);
-  });
-}
-
-PartsRun runFlatExactSplit(const FlatForm& form, const Input& input, const Schedule& schedule,
-                           std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
-  SplitRun run("exact_split", form, input, schedule, x0, observe);
-  return run.runApart(team, [&](const FlatHalf& half, const Input& u, std::span<const double> x, const Observer& show,
-                                Member* me) {
-    if (me == nullptr || team.tracer == nullptr) return runExact(half, u, schedule, x, show);
-    // A step leads from one sample to the next, over the kinks between them.
-    return runExact(half, u, schedule, x, [&](int sample, int segment, double t, std::span<const double> states) {
-      if (sample > 0) me->endStep(sample - 1);
-      const bool goes_on = show(sample, segment, t, states);
-      if (goes_on && sample + 1 < schedule.samples()) me->beginStep(sample);
-      return goes_on;
-    });
-  });
+  return run.runApart(threads, team,
+                      [&](const FlatHalf& half, const RunProblem& own, const Observer& show, Member* me) {
+                        Rk4<FlatHalfRhs, FlatHalfRhs::kStates> stepper(half.rhs());
+                        if (me == nullptr || team.tracer == nullptr) {
+                          return runFixedStep(stepper, own.input, own.schedule, step, own.x0, show);
+                        }
+                        TracedStepper<Rk4<FlatHalfRhs, FlatHalfRhs::kStates>> traced{stepper, *me};
+                        return runFixedStep(traced, own.input, own.schedule, step, own.x0, show);
+                      });
 }
 
 }  // namespace vehicle

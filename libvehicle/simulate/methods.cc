@@ -16,14 +16,14 @@
 namespace vehicle {
 
 const std::vector<std::string>& methodNames() {
-  static const std::vector<std::string> names = {"rk4", "dopri5", "exact", "simbody_rkm", "rk4_split", "exact_split"};
+  static const std::vector<std::string> names = {"rk4", "dopri5", "exact", "simbody_rkm", "rk4_split"};
   return names;
 }
 
-bool isSplitMethod(const std::string& method) { return method == "rk4_split" || method == "exact_split"; }
+bool isSplitMethod(const std::string& method) { return method == "rk4_split"; }
 
 bool isRk4(const std::string& method) { return method == "rk4" || method == "rk4_split"; }
-bool isExact(const std::string& method) { return method == "exact" || method == "exact_split"; }
+bool isExact(const std::string& method) { return method == "exact"; }
 
 std::string methodMisfit(const std::string& method, const std::string& form) {
   const bool linear = isLinearForm(form);
@@ -69,7 +69,7 @@ SettingsRead settingsReadBy(const std::string& method) {
   if (method == "rk4" || method == "rk4_split") return {.step = true};
   if (method == "dopri5") return {.tolerances = true};
   if (method == "simbody_rkm") return {.accuracy = true};
-  if (method == "exact" || method == "exact_split") return {};
+  if (method == "exact") return {};
   throw std::invalid_argument(unknownName("method", method, methodNames()));
 }
 
@@ -84,17 +84,18 @@ std::string defaultMethod(const std::string& form, const Topology& topology) {
 Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,
                      const MethodSettings& settings, std::span<const double> x0, const Observer& observe) {
   if (method == "exact") return runExact(system, input, schedule, x0, observe);
+  const RunProblem problem{system, input, schedule, x0};
   // The paper's own form is the one that is run most: its equations come without a virtual call.
   const auto* flat = dynamic_cast<const FlatForm*>(&system);
   if (method == "dopri5") {
-    return flat != nullptr ? runFlatDopri5(*flat, input, schedule, settings.accuracy, x0, observe)
+    return flat != nullptr ? runFlatDopri5(problem, settings.accuracy, observe)
                            : runDopri5(system, input, schedule, settings.accuracy, x0, observe);
   }
   if (method == "rk4") {
-    if (flat != nullptr) return runFlatRk4(*flat, input, schedule, settings.step, x0, observe);
+    if (flat != nullptr) return runFlatRk4(problem, settings.step, observe);
     // Three times as fast on a train, whose state and stages would go through the cache four times a step.
     if (dynamic_cast<const FlatTrain*>(&system) != nullptr) {
-      return runBlockedRk4(system, input, schedule, settings.step, x0, observe);
+      return runBlockedRk4(problem, settings.step, observe);
     }
     return runRk4(system, input, schedule, settings.step, x0, observe);
   }
@@ -102,8 +103,7 @@ Statistics runMethod(const std::string& method, const System& system, const Inpu
     if (const std::string misfit = splitMethodMisfit(method, system); !misfit.empty()) {
       throw std::invalid_argument(misfit);
     }
-    return method == "exact_split" ? runFlatExactSplit(*flat, input, schedule, x0, observe).statistics
-                                   : runFlatRk4Split(*flat, input, schedule, settings.step, x0, observe).statistics;
+    return runFlatRk4Split(problem, settings.step, observe).statistics;
   }
   const auto* mbs = dynamic_cast<const MbsForm*>(&system);
   if (mbs == nullptr) throw std::invalid_argument("simbody_rkm: the form is not made of Simbody bodies");

@@ -10,21 +10,20 @@
 
 namespace vehicle {
 
-/// rk4, dopri5, exact, simbody_rkm, and rk4_split, exact_split: rk4 and exact in bounce and pitch coordinates, for a
-/// flat vehicle whose front and rear are alike
+/// rk4, dopri5, exact, simbody_rkm, and rk4_split: rk4 in bounce and pitch coordinates, for a flat vehicle whose front
+/// and rear are alike
 [[nodiscard]] const std::vector<std::string>& methodNames();
 /// Whether the method runs bounce and pitch apart.
 [[nodiscard]] bool isSplitMethod(const std::string& method);
 
 /// rk4 and rk4_split: the same steps and the same integration error, in other coordinates.
 [[nodiscard]] bool isRk4(const std::string& method);
-/// exact and exact_split.
 [[nodiscard]] bool isExact(const std::string& method);
 
 /// Why this method cannot integrate that form ("exact needs a linear form; mbs is nonlinear"); empty if it can.
 /// @throws std::invalid_argument for a name that does not exist, naming the nearest one
 [[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form);
-/// The same for one vehicle: rk4_split and exact_split need one that bounces and pitches apart. Empty where the form
+/// The same for one vehicle: rk4_split needs one that bounces and pitches apart. Empty where the form
 /// itself does not fit the vehicle: that is formMisfits()'.
 [[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form, const CompiledModel& model);
 

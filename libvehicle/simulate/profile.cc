@@ -36,9 +36,7 @@ Profile profileOf(const CompiledModel& model, const Scenario& scenario, const Ru
                   const Progress& progress) {
   Profile profile;
   RunChoice serial = choice;
-  serial.threads = 1;
-  serial.scheme = "serial";
-  serial.map = "auto";
+  serial.sharing = {.threads = 1, .scheme = Scheme::kSerial};
   RunChoice plain = choice;
   Tracer tracer(every);  // one for all rounds: after the first its memory is at hand
   const auto begin = std::chrono::steady_clock::now();
@@ -60,9 +58,10 @@ Profile profileOf(const CompiledModel& model, const Scenario& scenario, const Ru
     const RunResult shared = run(plain, profile.plain, 1);
     if (profile.stopped) return profile;
     // Where the choice was left open, the traced run and the runs after it take what was found first.
-    plain.threads = shared.threads;
-    plain.scheme = shared.scheme;
-    if (shared.threads == 1) plain.map = "auto";  // nobody is left to share the equations that it names
+    plain.sharing.threads = shared.threads;
+    plain.sharing.scheme = schemeOf(shared.scheme);
+    if (shared.threads == 1)
+      plain.sharing.map = EquationMap::kAuto;  // nobody is left to share the equations that it names
     RunChoice watched = plain;
     watched.team.tracer = &tracer;
     const Decision decision = round == 0 ? shared.decision : profile.run.decision;

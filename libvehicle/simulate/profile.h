@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "libvehicle/partition/watch/trace.h"
 #include "libvehicle/simulate/simulate.h"
+#include "libvehicle/threads/trace.h"
 
 namespace vehicle {
 

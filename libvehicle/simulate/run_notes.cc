@@ -12,8 +12,8 @@ namespace {
 /// Why threads that were left open became one; "" where more could share the run.
 std::string unsharedNote(const RunChoice& choice, const RunResult& result) {
   constexpr int kSeveral = 2;
-  if (choice.threads != 0 || canBeShared(result.form, result.method)) return {};
-  return "--threads auto is one thread: " + threadsMisfit(result.form, result.method, kSeveral, "");
+  if (choice.sharing.threads != 0 || canBeShared(result.form, result.method)) return {};
+  return "--threads auto is one thread: " + threadsUnsupported(result.form, result.method, {.threads = kSeveral});
 }
 
 void addNew(std::string note, std::vector<std::string>& notes) {

@@ -9,10 +9,10 @@
 #include "libvehicle/partition/map/equation_graph.h"
 #include "libvehicle/partition/map/equation_map.h"
 #include "libvehicle/partition/run.h"
-#include "libvehicle/partition/team/placement.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
 #include "libvehicle/simulate/thread_choice.h"
+#include "libvehicle/threads/placement.h"
 
 namespace vehicle {
 
@@ -33,8 +33,10 @@ std::string namesOf(const EquationSet& set, const std::vector<int>& share) {
   return names;
 }
 
-std::vector<ThreadWork> workOf(const System& system, Scheme scheme, EquationMap map, int threads,
+std::vector<ThreadWork> workOf(const System& system, const Sharing& sharing,
                                const std::vector<std::vector<int>>& shares) {
+  const Scheme scheme = *sharing.scheme;
+  const int threads = sharing.threads;
   const int all = system.size() / 2;
   if (scheme == Scheme::kSplit) {
     if (threads == 1) return {{all, "bounce and pitch"}};
@@ -51,55 +53,56 @@ std::vector<ThreadWork> workOf(const System& system, Scheme scheme, EquationMap 
     return work;
   }
   for (const std::vector<int>& share : shares) work.push_back({static_cast<int>(share.size()), namesOf(*set, share)});
-  if (map == EquationMap::kPaper && scheme == Scheme::kStages) {
+  if (sharing.map == EquationMap::kPaper && scheme == Scheme::kStages) {
     work[static_cast<std::size_t>(kRailThread)].what += ", the rail (6)";
   }
   return work;
 }
 
 /// One run as all ways see it.
-class Sharing {
+class SharedRuns {
  public:
-  Sharing(const std::string& method, const System& system, const MethodSettings& settings, std::span<const double> x0,
-          const ThreadRequest& request)
-      : method_(method), system_(system), settings_(settings), x0_(x0), request_(request) {}
+  SharedRuns(const std::string& method, const RunProblem& problem, const MethodSettings& settings,
+             const ThreadRequest& request)
+      : method_(method), problem_(problem), settings_(settings), request_(request) {}
 
-  [[nodiscard]] SharedRun run(Scheme scheme, int threads, const Input& input, const Schedule& schedule,
+  /// The run on that input and schedule, by sharing.scheme.
+  [[nodiscard]] SharedRun run(const RunProblem& problem, const Sharing& sharing, const TeamPolicy& team,
                               const Observer& observe) const {
-    TeamChoice team = request_.team;
-    team.threads = threads;
-    const auto* flat = dynamic_cast<const FlatForm*>(&system_);
+    const Scheme scheme = *sharing.scheme;
+    const int threads = sharing.threads;
     const auto made = [&](auto run) {
       SharedRun shared{run.statistics, scheme, threads, std::move(run.team), {}, {}};
       if (shared.team.members.empty()) return shared;
       std::vector<std::vector<int>> shares;
       if constexpr (requires { run.shares; }) shares = std::move(run.shares);
-      shared.work = workOf(system_, scheme, request_.map, threads, shares);
+      shared.work = workOf(problem.system, sharing, shares);
       return shared;
     };
     switch (scheme) {
       case Scheme::kSerial:
-        return {runMethod(method_, system_, input, schedule, settings_, x0_, observe), scheme, 1, {}, {}, {}};
+        return {runMethod(method_, problem.system, problem.input, problem.schedule, settings_, problem.x0, observe),
+                scheme,
+                1,
+                {},
+                {},
+                {}};
       case Scheme::kPipeline:
-        return made(flat != nullptr
-                        ? runFlatPipeline(*flat, input, schedule, settings_.step, x0_, observe, team).run
-                        : runPipeline(system_, input, schedule, settings_.step, x0_, observe, team).run);
+        return made(runFlatPipeline(problem, settings_.step, observe, threads, team).run);
       case Scheme::kSplit:
-        if (const std::string misfit = splitMethodMisfit(method_, system_); !misfit.empty()) {
-          throw std::invalid_argument(misfit);
+        if (const std::string why = splitMethodMisfit(method_, problem.system); !why.empty()) {
+          throw std::invalid_argument(why);
         }
-        return made(method_ == "exact_split"
-                        ? runFlatExactSplit(*flat, input, schedule, x0_, observe, team)
-                        : runFlatRk4Split(*flat, input, schedule, settings_.step, x0_, observe, team));
+        return made(runFlatRk4Split(problem, settings_.step, observe, threads, team));
       case Scheme::kStages:
-        if (flat == nullptr) break;
-        return made(
-            runFlatStages(*flat, input, schedule, settings_.step, x0_, observe, {scheme, request_.map, team}));
       case Scheme::kHalo:
-      case Scheme::kRows:
         break;
     }
-    return made(runPartitioned(system_, input, schedule, settings_.step, x0_, observe, {scheme, request_.map, team}));
+    return made(runPartitioned(problem, settings_.step, observe, sharing, team));
+  }
+
+  [[nodiscard]] SharedRun run(const Sharing& sharing, const Observer& observe) const {
+    return run(problem_, sharing, request_.team, observe);
   }
 
   /// Schemes that share the work of this method on this system, the likeliest first.
@@ -107,11 +110,12 @@ class Sharing {
     std::vector<Scheme> fit;
     for (const Scheme scheme : schemesOf(method_)) {
       if (scheme == Scheme::kSerial || !fits(scheme, threads)) continue;
-      if (request_.map != EquationMap::kAuto && !sharesEquations(scheme)) continue;  // who names a map wants it used
+      if (request_.sharing.map != EquationMap::kAuto && !sharesEquations(scheme))
+        continue;  // who names a map wants it used
       fit.push_back(scheme);
     }
     // Threads with many equations each are worth an exchange a step; with few, only the rail can be shared.
-    const EquationSet* set = system_.equations();
+    const EquationSet* set = problem_.system.equations();
     const bool long_train = set != nullptr && set->size() >= 2 * kManyEquations * threads;
     const Scheme best = long_train ? Scheme::kHalo : Scheme::kPipeline;
     std::stable_partition(fit.begin(), fit.end(), [&](Scheme scheme) { return scheme == best; });
@@ -123,11 +127,11 @@ class Sharing {
   /// Whether the system has equations to share, as many as threads, and the map knows so many threads.
   [[nodiscard]] bool fits(Scheme scheme, int threads) const {
     if (!sharesEquations(scheme)) return true;
-    const EquationSet* set = system_.equations();
+    const EquationSet* set = problem_.system.equations();
     if (set == nullptr || static_cast<int>(set->equations().size()) < threads) return false;
-    if (request_.map == EquationMap::kAuto) return true;
+    if (request_.sharing.map == EquationMap::kAuto) return true;
     try {
-      (void)shareEquations(*set, request_.map, threads);
+      (void)shareEquations(*set, request_.sharing.map, threads);
     } catch (const std::invalid_argument&) {
       return false;
     }
@@ -136,69 +140,72 @@ class Sharing {
 
   /// Says why no scheme fits the threads that were asked for.
   [[noreturn]] void refuse() const {
-    const EquationSet* set = system_.equations();
+    const EquationSet* set = problem_.system.equations();
     if (set == nullptr || set->equations().size() < 2) {
       throw std::invalid_argument(
           fmt::format("{} of this form has no more than one equation to share; take --threads 1", method_));
     }
-    if (request_.map != EquationMap::kAuto) (void)shareEquations(*set, request_.map, request_.threads);
+    if (request_.sharing.map != EquationMap::kAuto)
+      (void)shareEquations(*set, request_.sharing.map, request_.sharing.threads);
     throw std::invalid_argument(
         fmt::format("{} threads for {} equations: every thread computes at least one; take at most {}",
-                    request_.threads, set->equations().size(), set->equations().size()));
+                    request_.sharing.threads, set->equations().size(), set->equations().size()));
   }
 
   [[nodiscard]] Way way(Scheme scheme, int threads) const {
-    return {scheme, threads,
-            [this, scheme, threads](const Input& input, const Schedule& schedule, const Observer& show) {
-              Sharing untraced(*this);
-              untraced.request_.team.tracer = nullptr;
-              (void)untraced.run(scheme, threads, input, schedule, show);
+    const Sharing sharing{threads, scheme, request_.sharing.map};
+    return {scheme, threads, [this, sharing](const Input& input, const Schedule& schedule, const Observer& show) {
+              TeamPolicy untraced = request_.team;
+              untraced.tracer = nullptr;
+              (void)run({problem_.system, input, schedule, problem_.x0}, sharing, untraced, show);
             }};
+  }
+
+  /// All that were asked for: one, or those worth a trial.
+  [[nodiscard]] std::vector<Way> ways() const {
+    const Sharing& asked = request_.sharing;
+    const bool serial = asked.scheme == Scheme::kSerial;
+    std::vector<Way> ways;
+    if (asked.threads == 1 || (asked.threads == 0 && (!asked.scheme || serial))) {
+      ways.push_back(way(asked.scheme.value_or(Scheme::kSerial), 1));
+    }
+    std::vector<int> counts = {asked.threads};
+    if (asked.threads == 0) counts = threadCounts(allowedCoreCount());
+    if (asked.threads == 0 && isSplitMethod(method_)) std::erase_if(counts, [](int threads) { return threads > 2; });
+    for (const int threads : counts) {
+      if (threads == 1 || serial) continue;
+      if (!asked.scheme) {
+        for (const Scheme scheme : schemes(threads)) ways.push_back(way(scheme, threads));
+      } else if (asked.threads > 0 || fits(*asked.scheme, threads)) {
+        ways.push_back(way(*asked.scheme, threads));
+      }
+    }
+    if (ways.empty() && asked.threads == 0) ways.push_back(way(*asked.scheme, 1));
+    if (ways.empty()) refuse();
+    return ways;
   }
 
  private:
   static constexpr int kManyEquations = 16;
 
   const std::string& method_;
-  const System& system_;
+  const RunProblem& problem_;
   const MethodSettings& settings_;
-  std::span<const double> x0_;
-  ThreadRequest request_;
+  const ThreadRequest& request_;
 };
 
 }  // namespace
 
-SharedRun runShared(const std::string& method, const System& system, const Input& input, const Schedule& schedule,
-                    const MethodSettings& settings, std::span<const double> x0, const Observer& observe,
-                    const ThreadRequest& request) {
-  const Sharing sharing(method, system, settings, x0, request);
-  const bool any_scheme = request.scheme.empty();
-  std::vector<Way> ways;
-  if (request.threads == 1 || (request.threads == 0 && (any_scheme || request.scheme == nameOf(Scheme::kSerial)))) {
-    ways.push_back(sharing.way(any_scheme ? Scheme::kSerial : schemeOf(request.scheme), 1));
-  }
-  std::vector<int> counts = {request.threads};
-  if (request.threads == 0) counts = threadCounts(allowedCoreCount());
-  if (request.threads == 0 && isSplitMethod(method)) std::erase_if(counts, [](int threads) { return threads > 2; });
-  for (const int threads : counts) {
-    if (threads == 1 || request.scheme == nameOf(Scheme::kSerial)) continue;
-    if (!any_scheme) {
-      const Scheme scheme = schemeOf(request.scheme);
-      if (request.threads > 0 || sharing.fits(scheme, threads)) ways.push_back(sharing.way(scheme, threads));
-      continue;
-    }
-    for (const Scheme scheme : sharing.schemes(threads)) ways.push_back(sharing.way(scheme, threads));
-  }
-  if (ways.empty() && request.threads == 0) ways.push_back(sharing.way(schemeOf(request.scheme), 1));
-  if (ways.empty()) sharing.refuse();
-
+SharedRun runShared(const std::string& method, const RunProblem& problem, const MethodSettings& settings,
+                    const Observer& observe, const ThreadRequest& request) {
+  const SharedRuns runs(method, problem, settings, request);
+  const std::vector<Way> ways = runs.ways();
   Decision decision{.scheme = ways.front().scheme, .threads = ways.front().threads};
-  if (request.threads == 0 || ways.size() > 1) {
-    const bool exact = method.starts_with("exact");
-    const long steps = exact ? static_cast<long>(schedule.stretches().size()) : stepsOfRun(schedule, settings.step);
-    decision = chooseWay({system, input, schedule, steps, exact, request.map, request.team}, ways);
+  if (request.sharing.threads == 0 || ways.size() > 1) {
+    const long steps = ways.size() > 1 ? stepsOfRun(problem.schedule, settings.step) : 0;
+    decision = chooseWay({problem, steps, request.sharing.map}, ways);
   }
-  SharedRun run = sharing.run(decision.scheme, decision.threads, input, schedule, observe);
+  SharedRun run = runs.run({decision.threads, decision.scheme, request.sharing.map}, observe);
   run.decision = std::move(decision);
   return run;
 }

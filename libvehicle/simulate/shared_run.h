@@ -1,21 +1,20 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "libvehicle/partition/choose.h"
-#include "libvehicle/partition/team/team.h"
 #include "libvehicle/simulate/methods.h"
+#include "libvehicle/system/run_problem.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 
-/// How threads are to share the work of one run. The names fit the method and the form (threadsMisfit).
+/// How threads are to share the work of one run, and what kind of team they are. Fits the method and the form
+/// (threadsUnsupported).
 struct ThreadRequest {
-  int threads = 1;      // 0: chosen
-  std::string scheme;   // empty: serial on 1 thread, else chosen
-  EquationMap map = EquationMap::kAuto;
-  TeamChoice team;      // its own number of threads is not read
+  Sharing sharing;
+  TeamPolicy team;
 };
 
 /// What one thread of a shared run computes in every step.
@@ -37,8 +36,7 @@ struct SharedRun {
 /// runMethod() on as many threads as asked for, or as many as are fastest: the same bits, sooner.
 /// @throws std::invalid_argument  for a vehicle that cannot be shared so (fewer equations than threads, front and rear
 ///                                that differ for the split methods), and as runMethod()
-[[nodiscard]] SharedRun runShared(const std::string& method, const System& system, const Input& input,
-                                  const Schedule& schedule, const MethodSettings& settings, std::span<const double> x0,
+[[nodiscard]] SharedRun runShared(const std::string& method, const RunProblem& problem, const MethodSettings& settings,
                                   const Observer& observe, const ThreadRequest& request);
 
 }  // namespace vehicle

@@ -34,10 +34,6 @@ void checkChoice(const RunChoice& choice) {
   requirePositive("relative tolerance", choice.relative, "");
   requirePositive("absolute tolerance", choice.absolute, "");
   requirePositive("accuracy", choice.accuracy, "");
-  const std::vector<std::string>& maps = equationMapNames();
-  if (std::find(maps.begin(), maps.end(), choice.map) == maps.end()) {
-    throw std::invalid_argument(unknownName("map", choice.map, maps));
-  }
   if (choice.refine < 1) throw std::invalid_argument(fmt::format("refine = {}, must be >= 1", choice.refine));
 }
 
@@ -125,13 +121,11 @@ RunResult simulate(const CompiledModel& model, const Scenario& scenario, const R
   if (const std::string misfit = methodMisfit(result.method, result.form); !misfit.empty()) {
     throw std::invalid_argument(misfit);
   }
-  if (const std::string misfit = threadsMisfit(result.form, result.method, choice.threads, choice.scheme);
-      !misfit.empty()) {
-    throw std::invalid_argument(misfit);
+  if (const std::string why = threadsUnsupported(result.form, result.method, choice.sharing); !why.empty()) {
+    throw std::invalid_argument(why);
   }
-  if (const std::string misfit = mapMisfit(result.form, result.method, choice.threads, choice.scheme, choice.map);
-      !misfit.empty()) {
-    throw std::invalid_argument(misfit);
+  if (const std::string why = mapUnsupported(result.form, result.method, choice.sharing); !why.empty()) {
+    throw std::invalid_argument(why);
   }
 
   const std::unique_ptr<System> system = buildForm(result.form, model);
@@ -169,10 +163,11 @@ RunResult simulate(const CompiledModel& model, const Scenario& scenario, const R
   if (choice.measures && isExact(result.method) && isFollowed(schedule, fastest)) recorder.integrateExactly();
   const auto begin = std::chrono::steady_clock::now();
   try {
-    const bool only_serial = choice.threads == 0 && !canBeShared(result.form, result.method);
-    SharedRun run = runShared(result.method, *system, input, schedule, settings, x0, std::ref(recorder),
-                              {choice.threads, only_serial ? nameOf(Scheme::kSerial) : choice.scheme,
-                               equationMapOf(choice.map), choice.team});
+    ThreadRequest request{choice.sharing, choice.team};
+    if (choice.sharing.threads == 0 && !canBeShared(result.form, result.method)) {
+      request.sharing.scheme = Scheme::kSerial;
+    }
+    SharedRun run = runShared(result.method, {*system, input, schedule, x0}, settings, std::ref(recorder), request);
     result.statistics = run.statistics;
     result.scheme = nameOf(run.scheme);
     result.threads = run.threads;

@@ -8,13 +8,13 @@
 #include "libvehicle/diagnostics/warning.h"
 #include "libvehicle/model/compiled_model.h"
 #include "libvehicle/partition/choose.h"
-#include "libvehicle/partition/team/team.h"
 #include "libvehicle/result/time_history.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"
 #include "libvehicle/simulate/recorder.h"
 #include "libvehicle/simulate/shared_run.h"
 #include "libvehicle/system/schedule.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 
@@ -34,10 +34,8 @@ struct RunChoice {
   double settle = 0.0;         // [s] start of the run that summaries leave out, up to the next output sample
 
   // Threads change the speed of a run and no bit of its result.
-  int threads = 1;              // 0: as many as a short calibration finds to be fastest, 1 where none is
-  std::string scheme;           // how they share the work, schemeNames(); empty: serial on 1 thread, else chosen
-  std::string map = "auto";     // who computes which equation, equationMapNames(); stages and halo
-  TeamChoice team;              // placement, priority, waiting, tracer; its own number of threads is not read
+  Sharing sharing;  // 0 threads: as many as a short calibration finds to be fastest, 1 where none is
+  TeamPolicy team;  // placement, priority, waiting, tracer
 };
 
 struct RunResult {

@@ -26,6 +26,11 @@ std::string whyNotShared(const std::string& form, const std::string& method) {
         "method rk4",
         kRemedy);
   }
+  if (method == "exact") {
+    return fmt::format(
+        "the method exact runs on one thread: every thread would have to find the same matrices; {}, or method rk4",
+        kRemedy);
+  }
   return {};
 }
 
@@ -33,33 +38,29 @@ std::string whyNotShared(const std::string& form, const std::string& method) {
 
 std::vector<Scheme> schemesOf(const std::string& method) {
   if (method == "rk4") return {Scheme::kSerial, Scheme::kStages, Scheme::kHalo, Scheme::kPipeline};
-  if (method == "exact") return {Scheme::kSerial, Scheme::kRows};
   if (isSplitMethod(method)) return {Scheme::kSerial, Scheme::kSplit};
   return {Scheme::kSerial};
 }
 
-std::string threadsMisfit(const std::string& form, const std::string& method, int threads, const std::string& scheme) {
+std::string threadsUnsupported(const std::string& form, const std::string& method, const Sharing& sharing) {
+  const int threads = sharing.threads;
   if (threads < 0 || threads > kMostThreads) {
     throw std::invalid_argument(
         fmt::format("threads = {}, must be 1..{}, or 0 to let a calibration choose", threads, kMostThreads));
   }
-  const std::vector<std::string>& names = schemeNames();
-  if (!scheme.empty() && std::find(names.begin(), names.end(), scheme) == names.end()) {
-    throw std::invalid_argument(unknownName("scheme", scheme, names));
-  }
-  const bool serial = scheme.empty() ? threads <= 1 : scheme == nameOf(Scheme::kSerial);
+  const bool serial = sharing.scheme ? *sharing.scheme == Scheme::kSerial : threads <= 1;
   if (serial) {
     return threads <= 1 ? std::string{}
                         : fmt::format("scheme serial runs on one thread, not on {}; {}, or another scheme", threads,
                                       kRemedy);
   }
   if (std::string why = whyNotShared(form, method); !why.empty()) return why;
-  if (!scheme.empty()) {
+  if (sharing.scheme) {
     const std::vector<Scheme> possible = schemesOf(method);
-    if (std::find(possible.begin(), possible.end(), schemeOf(scheme)) == possible.end()) {
+    if (std::find(possible.begin(), possible.end(), *sharing.scheme) == possible.end()) {
       std::string known;
       for (const Scheme each : possible) known += fmt::format("{}{}", known.empty() ? "" : " | ", nameOf(each));
-      return fmt::format("scheme {} does not share the work of {}; take {}", scheme, method, known);
+      return fmt::format("scheme {} does not share the work of {}; take {}", nameOf(*sharing.scheme), method, known);
     }
   }
   if (isSplitMethod(method) && threads > 2) {
@@ -72,24 +73,23 @@ bool canBeShared(const std::string& form, const std::string& method) {
   return schemesOf(method).size() > 1 && whyNotShared(form, method).empty();
 }
 
-std::string mapMisfit(const std::string& form, const std::string& method, int threads, const std::string& scheme,
-                      const std::string& map) {
-  if (map == nameOf(EquationMap::kAuto)) return {};
-  if (!scheme.empty()) {
-    if (sharesEquations(schemeOf(scheme))) return {};
+std::string mapUnsupported(const std::string& form, const std::string& method, const Sharing& sharing) {
+  const char* map = nameOf(sharing.map);
+  if (sharing.map == EquationMap::kAuto) return {};
+  if (sharing.scheme) {
+    if (sharesEquations(*sharing.scheme)) return {};
     return fmt::format(
         "--map {} has no effect with the scheme {}, whose threads have no equations of their own; omit --map, or take "
-        "scheme "
-        "stages, halo or rows",
-        map, scheme);
+        "scheme stages or halo",
+        map, nameOf(*sharing.scheme));
   }
-  if (threads == 1) return {};  // one thread computes all equations, whatever the map
+  if (sharing.threads == 1) return {};  // one thread computes all equations, whatever the map
   if (std::string why = whyNotShared(form, method); !why.empty()) return why;
   const std::vector<Scheme> schemes = schemesOf(method);
   if (std::any_of(schemes.begin(), schemes.end(), sharesEquations)) return {};
   return fmt::format(
       "--map {} has no effect with the method {}, whose threads have no equations of their own; omit --map, or take "
-      "method rk4 or exact",
+      "method rk4",
       map, method);
 }
 

@@ -9,9 +9,10 @@
 namespace vehicle {
 
 const std::vector<SharedColumn>& usualSharedColumns() {
-  static const std::vector<SharedColumn> usual = {
-      {"rk4", "stages", 4, "paper"}, {"rk4", "halo", 2, "auto"},        {"rk4", "pipeline", 2, "auto"},
-      {"exact", "rows", 2, "auto"},  {"rk4_split", "split", 2, "auto"}, {"exact_split", "split", 2, "auto"}};
+  static const std::vector<SharedColumn> usual = {{"rk4", "stages", 4, "paper"},
+                                                  {"rk4", "halo", 2, "auto"},
+                                                  {"rk4", "pipeline", 2, "auto"},
+                                                  {"rk4_split", "split", 2, "auto"}};
   return usual;
 }
 

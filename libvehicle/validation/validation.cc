@@ -121,9 +121,8 @@ class Case {
     choice.method = run.key.method;
     choice.refine = run.key.refine;
     choice.step = run.key.step;
-    choice.threads = run.key.threads;
-    choice.scheme = run.key.scheme.empty() ? nameOf(Scheme::kSerial) : run.key.scheme;
-    choice.map = run.key.map;
+    choice.sharing = {run.key.threads, run.key.scheme.empty() ? Scheme::kSerial : schemeOf(run.key.scheme),
+                      equationMapOf(run.key.map)};
     const double runs = static_cast<double>(report_.runs.size());
     const auto report_progress = [&](double share) {
       return !progress_ || progress_((static_cast<double>(index) + share) / runs, run.key.text());

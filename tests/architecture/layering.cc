@@ -88,7 +88,8 @@ std::string_view libraryOf(std::string_view header) {
 
 bool isStandard(std::string_view header) {
   if (header.find('.') == std::string_view::npos) return header.find('/') == std::string_view::npos;
-  return header.starts_with("sys/") || std::ranges::find(kSystemHeaders, header) != std::end(kSystemHeaders);
+  return header.starts_with("sys/") || header.starts_with("linux/") ||
+         std::ranges::find(kSystemHeaders, header) != std::end(kSystemHeaders);
 }
 
 // What an #include line names, with the quote or bracket before it: `"a/b.h`, `<cmath`; empty for any other line.

@@ -41,8 +41,7 @@ TEST(ThreadOptions, WhatIsWrongIsToldInOneLineWithStatusTwo) {
       {with("simulate", {"--method", "rk4", "--scheme", "stages", "--threads", "9"}),
        "vehicle: 9 threads for 4 equations: map auto gives every thread at least one; take at most 4\n"},
       {with("simulate", {"--scheme", "ring"}),
-       "vehicle simulate: --scheme: \"ring\" is unknown; choose one of serial, stages, halo, rows, pipeline, split" +
-           see},
+       "vehicle simulate: --scheme: \"ring\" is unknown; choose one of serial, stages, halo, pipeline, split" + see},
       {with("simulate", {"--scheme", "stage"}),
        "vehicle simulate: --scheme: \"stage\" is unknown; did you mean \"stages\"?" + see},
       {with("simulate", {"--method", "rk4", "--scheme", "stages", "--map", "paper", "--threads", "3"}),
@@ -194,11 +193,11 @@ TEST(ProfileCommand, SaysThatThreadsWereNotPinnedAndWhy) {
             told["remarks"].end());
 }
 
-TEST(ProfileCommand, OfExactRowsAndOfOneThreadWork) {
-  const ProgramRun rows = runVehicle(with("profile", {"--method", "exact", "--threads", "2", "--quiet"}));
-  EXPECT_EQ(rows.status, 0) << rows.err;
-  EXPECT_EQ(rows.err, "");
-  EXPECT_TRUE(has(rows.out, "exact, best serial code")) << rows.out;
+TEST(ProfileCommand, OfTheSplitAndOfOneThreadWork) {
+  const ProgramRun split = runVehicle(with("profile", {"--method", "rk4_split", "--threads", "2", "--quiet"}));
+  EXPECT_EQ(split.status, 0) << split.err;
+  EXPECT_EQ(split.err, "");
+  EXPECT_TRUE(has(split.out, "rk4_split, best serial code")) << split.out;
   const ProgramRun one = runVehicle(with("profile", {"--threads", "1"}));
   EXPECT_EQ(one.status, 0) << one.err;
   EXPECT_TRUE(has(one.out, "the run stayed on the program's own thread")) << one.out;

@@ -149,37 +149,6 @@ TEST(Exact, RefusesANonlinearSystem) {
   }
 }
 
-// Rows are shared among threads, so their bits must not depend on who moves which; both kernels, any cut.
-TEST(ExactPropagator, SomeRowsAreTheBitsOfAllRows) {
-  for (const int n : {5, 8}) {
-    Eigen::MatrixXd A(n, n);
-    Eigen::MatrixXd forcing(n, 4);
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) A(i, j) = (i == j ? -30.0 : 4.0 * std::cos(i + 2.0 * j));
-      for (int j = 0; j < 4; ++j) forcing(i, j) = std::sin(1.0 + i + 5.0 * j);
-    }
-    ExactPropagator propagator(A, forcing, {5.0, 15.0}, 5e-3);
-    std::vector<double> x(static_cast<std::size_t>(n));
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = 1e-3 * static_cast<double>(i + 1);
-    for (int cut = 1; cut < n; ++cut) {
-      std::vector<double> whole = x, before(x.size()), rest(x.size());
-      double o[4], p[4], q[4];
-      for (double* each : {o, p, q}) propagator.seed(0.3, each);
-      propagator.propagate(whole.data(), o);
-      // The middle row belongs to the second set, in two runs.
-      const std::vector<RowRun> first = {{0, cut - 1}, {cut, n - cut}};
-      const RowRun second{cut - 1, 1};
-      propagator.propagateRows(first, x.data(), p, before.data());
-      propagator.propagateRows({&second, 1}, x.data(), q, rest.data());
-      EXPECT_EQ(rest[0], whole[static_cast<std::size_t>(cut - 1)]);
-      whole.erase(whole.begin() + cut - 1);
-      before.resize(whole.size());
-      EXPECT_EQ(before, whole) << n << " rows, cut at " << cut;
-      for (int i = 0; i < 4; ++i) EXPECT_EQ(p[i], o[i]);
-    }
-  }
-}
-
 // The size known to the compiler against the general loop: another order of the sums, so near, not equal.
 TEST(ExactPropagator, FixedSizeKernelGivesTheGeneralKernelsMotion) {
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(8, 8);

@@ -35,7 +35,7 @@ struct Problem {
         input(wavesWithKinks(system.channels())),
         schedule(input, 0.3),
         start(startOf(system)),
-        cut(system, input, start),
+        cut({system, input, schedule, start}),
         graph(cut.set()) {}
 
   std::vector<double> serialEnd() const {
@@ -51,7 +51,7 @@ struct Problem {
     BlockedRk4 rk4(cut.set(), graph, cut.input(), {0, graph.size()}, block);
     std::copy(cut.x0().begin(), cut.x0().end(), rk4.x());
     walkSteps(
-        schedule, kStep, rk4.stepsOfBlock(), [&](const StepBlock& steps) { rk4.enter(steps); },
+        {schedule, kStep, rk4.stepsOfBlock()}, [&](const StepBlock& steps) { rk4.enter(steps); },
         [&](double h, int k) {
           rk4.prepare(k);
           rk4.step(h, k, [](int) {});

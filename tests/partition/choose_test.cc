@@ -7,24 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/integrate/fixed_step_run.h"
+#include "tests/support/eight_states.h"
 #include "tests/support/paper_matrices.h"
 
 namespace vehicle::test {
 namespace {
-
-/// A system that is asked for its size alone: eight states, no equations to share.
-class EightStates final : public System {
- public:
-  int channels() const override { return 4; }
-  StateLayout layout() const override { return {.coordinates = 4}; }
-  const std::vector<Channel>& states() const override { return states_; }
-  const std::vector<Channel>& outputs() const override { return states_; }
-  void derivative(std::span<const double>, std::span<const double>, std::span<double>) const override {}
-  void output(std::span<const double>, std::span<const double>, std::span<double>) const override {}
-
- private:
-  std::vector<Channel> states_ = paperStates();
-};
 
 /// A clock that only the ways of a test advance [s]: what is decided does not depend on the machine.
 class TestClock {
@@ -58,9 +45,8 @@ struct LongRun {
   EightStates system;
   Input input = paperExtended(10000.0);
   Schedule schedule{input, 10000.0};
-  TeamChoice team;
-  WayProblem problem{.system = system, .input = input, .schedule = schedule,
-                     .steps = stepsOfRun(schedule, {1e-3}), .team = team, .now = [this] { return clock.now(); }};
+  RunProblem run{system, input, schedule};
+  WayProblem problem{.run = run, .steps = stepsOfRun(schedule, {1e-3}), .now = [this] { return clock.now(); }};
 };
 
 TEST(Choose, CountsTheStepsOfARun) {
@@ -80,10 +66,9 @@ TEST(Choose, TakesTheFirstWayWithoutATrialWhereTheRunIsShort) {
   const EightStates system;
   const Input input = paperExtended(10.0);
   const Schedule schedule(input, 5e-3);
-  const TeamChoice team;
   const Way never = {Scheme::kPipeline, 2, [](const Input&, const Schedule&, const Observer&) { FAIL() << "tried"; }};
-  const Decision made = chooseWay({.system = system, .input = input, .schedule = schedule, .steps = 10'000,
-                                   .team = team}, {{Scheme::kSerial, 1, never.run}, never});
+  const RunProblem run{system, input, schedule};
+  const Decision made = chooseWay({.run = run, .steps = 10'000}, {{Scheme::kSerial, 1, never.run}, never});
   EXPECT_EQ(made.scheme, Scheme::kSerial);
   EXPECT_NE(made.reason.find("too short to try others"), std::string::npos) << made.reason;
   EXPECT_EQ(made.candidates.size(), 2u);
@@ -95,13 +80,14 @@ TEST(Choose, TakesTheWayThatIsFasterAndSaysByHowMuch) {
       run.problem, {run.clock.pacedWay(Scheme::kSerial, 1, 2e-7), run.clock.pacedWay(Scheme::kSplit, 2, 1e-7)});
   EXPECT_EQ(made.scheme, Scheme::kSplit) << made.reason;
   EXPECT_EQ(made.threads, 2);
-  EXPECT_EQ(made.reason, "split on 2 threads: 2.00 times as fast as serial");
+  EXPECT_EQ(made.reason,
+            "split on 2 threads: 2.00 times as fast as serial, the median of 3 trials by turns (2.00 to 2.00)");
   // Samples cut the steps of a trial unevenly: 1 % of them.
   EXPECT_NEAR(made.candidates[0].measured, 2e-7, 0.02 * 2e-7);
   EXPECT_NEAR(made.candidates[1].measured, 1e-7, 0.02 * 1e-7);
   EXPECT_NEAR(made.step, 2e-7, 0.02 * 2e-7);
   EXPECT_GT(made.calibration, 0.0);
-  EXPECT_LE(made.calibration, 0.015 * 1.1);  // the last trial may end a sample late
+  EXPECT_LE(made.calibration, 0.06 * 1.1);  // the last trial may end a sample late
 }
 
 TEST(Choose, StaysWithTheFirstWayWhereTheOtherIsSlowerOrHardlyFaster) {
@@ -114,31 +100,32 @@ TEST(Choose, StaysWithTheFirstWayWhereTheOtherIsSlowerOrHardlyFaster) {
   }
 }
 
-TEST(Choose, StaysWithTheFirstWayWhereTimingsDoNotRepeat) {
-  LongRun run;
-  int calls = 0;
-  const auto erratic = [&calls] { return ++calls % 2 == 0 ? 1e-7 : 4e-7; };
-  const Decision made = chooseWay(
-      run.problem, {run.clock.pacedWay(Scheme::kSerial, 1, erratic), run.clock.pacedWay(Scheme::kSplit, 2, 0.3e-7)});
-  EXPECT_EQ(made.scheme, Scheme::kSerial) << made.reason;
-  EXPECT_NE(made.reason.find("something else is using the machine"), std::string::npos) << made.reason;
+// A stranger on the machine slows some trials down, of either way: the median does not see it.
+TEST(Choose, TrialsThatSomethingElseDisturbsDoNotDecide) {
+  for (const bool disturbs_first : {true, false}) {
+    LongRun run;
+    int calls = 0;
+    const auto steady = [] { return 1e-7; };
+    const auto erratic = [&calls] { return ++calls % 4 == 0 ? 9e-7 : 1.05e-7; };
+    const auto paced = [&](Scheme scheme, int threads, bool is_disturbed) {
+      return is_disturbed ? run.clock.pacedWay(scheme, threads, erratic) : run.clock.pacedWay(scheme, threads, steady);
+    };
+    const Decision made =
+        chooseWay(run.problem, {paced(Scheme::kSerial, 1, disturbs_first), paced(Scheme::kSplit, 2, !disturbs_first)});
+    EXPECT_EQ(made.scheme, disturbs_first ? Scheme::kSplit : Scheme::kSerial) << made.reason;
+    EXPECT_NE(made.reason.find("the median of 9 trials by turns"), std::string::npos) << made.reason;
+  }
 }
 
-// An exact method of a large system finds its matrices for 20 ms before each trial: two trials would be the whole
-// calibration.
-TEST(Choose, StaysWithTheFirstWayWhereATrialIsSlowToStart) {
+// pipeline shares the input alone, and there is next to none: the rule of thumb spares its trial.
+TEST(Choose, AWayThatCannotWinIsNotTried) {
   LongRun run;
-  const Way paced = run.clock.pacedWay(Scheme::kSerial, 1, 1e-6);
   int trials = 0;
-  const Way slow = {Scheme::kSerial, 1, [&](const Input& input, const Schedule& schedule, const Observer& observe) {
-                      ++trials;
-                      run.clock.pass(0.02);
-                      paced.run(input, schedule, observe);
-                    }};
-  const Decision made = chooseWay(run.problem, {slow, run.clock.pacedWay(Scheme::kRows, 2, 0.1e-6)});
+  const Way never = {Scheme::kPipeline, 2, [&](const Input&, const Schedule&, const Observer&) { ++trials; }};
+  const Decision made = chooseWay(run.problem, {run.clock.pacedWay(Scheme::kSerial, 1, 1e-7), never});
   EXPECT_EQ(made.scheme, Scheme::kSerial);
-  EXPECT_NE(made.reason.find("too long to try others"), std::string::npos) << made.reason;
-  EXPECT_EQ(trials, 1);
+  EXPECT_EQ(made.reason, "serial: no other scheme can be faster, exchanges included");
+  EXPECT_EQ(trials, 0);
 }
 
 }  // namespace

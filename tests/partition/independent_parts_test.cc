@@ -50,7 +50,7 @@ struct Met {
   std::size_t team = 0;
 };
 
-Met runOn(const Problem& problem, TeamChoice team) {
+Met runOn(const Problem& problem, int threads, const TeamPolicy& team = {}) {
   Met met;
   int expected = 0;
   const Observer observe = [&](int sample, int segment, double t, std::span<const double> x) {
@@ -60,7 +60,7 @@ Met runOn(const Problem& problem, TeamChoice team) {
     met.rows.insert(met.rows.end(), x.begin(), x.end());
     return true;
   };
-  const PartsRun run = runIndependentParts(problem.parts, problem.schedule.samples(), observe, team);
+  const PartsRun run = runIndependentParts(problem.parts, problem.schedule.samples(), observe, threads, team);
   met.statistics = run.statistics;
   met.team = run.team.members.size();
   return met;
@@ -89,7 +89,7 @@ TEST(IndependentParts, EveryNumberOfThreadsShowsTheBitsOfTheSerialRuns) {
   const Problem problem(4);
   const std::vector<double> serial = serialRows(problem);
   for (const int threads : {1, 2, 3, 4}) {
-    const Met met = runOn(problem, {.threads = threads});
+    const Met met = runOn(problem, threads);
     EXPECT_EQ(met.rows, serial) << threads << " threads";
     EXPECT_EQ(met.statistics.steps, 12002);  // 12 s of 1 ms; two kinks cut a step in halves
     EXPECT_EQ(met.statistics.evaluations, 4 * 4 * met.statistics.steps);
@@ -101,14 +101,14 @@ TEST(IndependentParts, RandomDelaysChangeNoBit) {
   const Problem problem(2, 6.0);
   const std::vector<double> serial = serialRows(problem);
   for (const int slow : {0, 1}) {
-    TeamChoice team{.threads = 2};
+    TeamPolicy team;
     std::array<std::minstd_rand, 2> generators{std::minstd_rand(7), std::minstd_rand(11)};
     team.disturb = [&](int thread, long) {
       auto& draw = generators[static_cast<std::size_t>(thread)];
       if (draw() % (thread == slow ? 40 : 400) != 0) return;
       std::this_thread::sleep_for(std::chrono::microseconds(draw() % 300));
     };
-    EXPECT_EQ(runOn(problem, team).rows, serial) << "thread " << slow << " is slow";
+    EXPECT_EQ(runOn(problem, 2, team).rows, serial) << "thread " << slow << " is slow";
   }
 }
 
@@ -118,7 +118,7 @@ TEST(IndependentParts, AnObserverThatSaysNoEndsAllOfThem) {
     int last = -1;
     const PartsRun run = runIndependentParts(
         problem.parts, problem.schedule.samples(),
-        [&](int sample, int, double, std::span<const double>) { return (last = sample) < 700; }, {.threads = threads});
+        [&](int sample, int, double, std::span<const double>) { return (last = sample) < 700; }, threads, {});
     EXPECT_EQ(last, 700) << threads << " threads";
     EXPECT_TRUE(run.statistics.stopped);
   }
@@ -133,7 +133,7 @@ TEST(IndependentParts, AFailureOfAnyPartReachesTheCaller) {
         throw std::runtime_error("rk4: state 1 is no longer finite at t = 0.2 s");
       };
       try {
-        (void)runOn(problem, {.threads = threads});
+        (void)runOn(problem, threads);
         ADD_FAILURE() << "not noticed";
       } catch (const std::runtime_error& failure) {
         EXPECT_STREQ(failure.what(), "rk4: state 1 is no longer finite at t = 0.2 s");
@@ -150,7 +150,7 @@ TEST(IndependentParts, APartThatEndsBeforeTheOthersIsToldAndDoesNotHang) {
       return Statistics{};
     };
     try {
-      (void)runOn(problem, {.threads = threads});
+      (void)runOn(problem, threads);
       ADD_FAILURE() << "not noticed";
     } catch (const std::invalid_argument& error) {
       EXPECT_STREQ(error.what(),
@@ -162,7 +162,7 @@ TEST(IndependentParts, APartThatEndsBeforeTheOthersIsToldAndDoesNotHang) {
 TEST(IndependentParts, RefusesMoreThreadsThanPartsAndNoParts) {
   const auto refusal = [](int masses, int threads) -> std::string {
     try {
-      (void)runOn(Problem(masses), {.threads = threads});
+      (void)runOn(Problem(masses), threads);
     } catch (const std::invalid_argument& error) {
       return error.what();
     }

@@ -19,8 +19,7 @@ TEST(Scheme, AnUnknownNameIsRefusedWithThoseThatExist) {
     (void)schemeOf("ring");
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(),
-                 "unknown scheme \"ring\"; must be serial | stages | halo | rows | pipeline | split");
+    EXPECT_STREQ(error.what(), "unknown scheme \"ring\"; must be serial | stages | halo | pipeline | split");
   }
 }
 

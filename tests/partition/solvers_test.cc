@@ -26,38 +26,27 @@ struct Problem {
     for (std::size_t i = 0; i < system.states().size(); ++i) start.push_back(1e-3 * std::sin(1.0 + 2.0 * double(i)));
   }
 
-  RecordedRun serial(Scheme scheme, int last = -1) const {
-    return record(
-        [&](const Observer& observe) {
-          return scheme == Scheme::kRows ? runExact(system, input, schedule, start, observe)
-                                         : runRk4(system, input, schedule, kStep, start, observe);
-        },
-        last);
+  RecordedRun serial(int last = -1) const {
+    return record([&](const Observer& observe) { return runRk4(system, input, schedule, kStep, start, observe); },
+                  last);
   }
-  RecordedRun shared(const PartitionChoice& choice, int last = -1) const {
+  [[nodiscard]] RunProblem problem() const { return {system, input, schedule, start}; }
+  RecordedRun shared(const Sharing& sharing, int last = -1, const TeamPolicy& team = {}) const {
     return record(
-        [&](const Observer& observe) {
-          return runPartitioned(system, input, schedule, kStep, start, observe, choice).statistics;
-        },
+        [&](const Observer& observe) { return runPartitioned(problem(), kStep, observe, sharing, team).statistics; },
         last);
   }
 };
 
-PartitionChoice choiceOf(Scheme scheme, EquationMap map, int threads) {
-  PartitionChoice choice{.scheme = scheme, .map = map, .team = {}};
-  choice.team.threads = threads;
-  return choice;
-}
-
-constexpr Scheme kAll[] = {Scheme::kStages, Scheme::kHalo, Scheme::kRows};
+constexpr Scheme kAll[] = {Scheme::kStages, Scheme::kHalo};
 
 void expectSerialBits(const Problem& problem, Scheme scheme, EquationMap map, int threads,
                       std::function<void(int, long)> disturb = {}) {
   SCOPED_TRACE(std::string(nameOf(scheme)) + " " + nameOf(map) + " " + std::to_string(threads));
   const Watchdog watchdog;
-  PartitionChoice choice = choiceOf(scheme, map, threads);
-  choice.team.disturb = std::move(disturb);
-  expectSameBits(problem.shared(choice), problem.serial(scheme));
+  TeamPolicy team;
+  team.disturb = std::move(disturb);
+  expectSameBits(problem.shared({threads, scheme, map}, -1, team), problem.serial());
 }
 
 TEST(PartitionSolvers, EveryThreadCountGivesTheBitsOfTheSerialRunOnAVehicleShape) {
@@ -119,8 +108,7 @@ TEST(PartitionSolvers, AnObserverThatStopsEndsTheRunWhereTheSerialOneEnds) {
         SCOPED_TRACE(std::string(nameOf(scheme)) + " " + std::to_string(threads) + " threads, sample " +
                      std::to_string(last));
         const Watchdog watchdog;
-        expectSameBits(problem.shared(choiceOf(scheme, EquationMap::kAuto, threads), last),
-                       problem.serial(scheme, last));
+        expectSameBits(problem.shared({threads, scheme}, last), problem.serial(last));
       }
     }
   }
@@ -129,14 +117,14 @@ TEST(PartitionSolvers, AnObserverThatStopsEndsTheRunWhereTheSerialOneEnds) {
 // 400 -> 3e8 1/s^2 is far outside the stability of a step of 1 ms; the serial run names a state and a time.
 TEST(PartitionSolvers, AStateThatBecomesInfiniteFailsAsTheSerialRunDoes) {
   const Problem problem(massChain(8, 1, 3e8));
-  const RecordedRun serial = problem.serial(Scheme::kStages);
+  const RecordedRun serial = problem.serial();
   ASSERT_NE(serial.failure.find("is no longer finite"), std::string::npos) << serial.failure;
   for (const Scheme scheme : {Scheme::kSerial, Scheme::kStages, Scheme::kHalo}) {
     for (const int threads : {1, 2, 5, 8}) {
       if (scheme == Scheme::kSerial && threads > 1) continue;
       SCOPED_TRACE(std::string(nameOf(scheme)) + " " + std::to_string(threads));
       const Watchdog watchdog;
-      expectSameBits(problem.shared(choiceOf(scheme, EquationMap::kAuto, threads)), serial);
+      expectSameBits(problem.shared({threads, scheme}), serial);
     }
   }
 }
@@ -152,12 +140,12 @@ TEST(PartitionSolvers, AnExceptionOfTheObserverReachesTheCaller) {
   for (const Scheme scheme : kAll) {
     const Watchdog watchdog;
     const auto run = [&] {
-      return runPartitioned(problem.system, problem.input, problem.schedule, kStep, problem.start,
+      return runPartitioned(problem.problem(), kStep,
                             [](int sample, int, double, std::span<const double>) -> bool {
                               if (sample == 9) throw std::domain_error("enough");
                               return true;
                             },
-                            choiceOf(scheme, EquationMap::kAuto, 3));
+                            {3, scheme});
     };
     EXPECT_THROW(run(), std::domain_error) << nameOf(scheme);
   }
@@ -166,10 +154,8 @@ TEST(PartitionSolvers, AnExceptionOfTheObserverReachesTheCaller) {
 TEST(PartitionSolvers, SerialIsTheCacheBlockedCodeOnOneThread) {
   const Problem problem(massChain(90, 3));
   expectSerialBits(problem, Scheme::kSerial, EquationMap::kAuto, 1);
-  expectSameBits(record([&](const Observer& observe) {
-                   return runBlockedRk4(problem.system, problem.input, problem.schedule, kStep, problem.start, observe);
-                 }),
-                 problem.serial(Scheme::kSerial));
+  expectSameBits(record([&](const Observer& observe) { return runBlockedRk4(problem.problem(), kStep, observe); }),
+                 problem.serial());
 }
 
 // Samples further apart than a block of steps: the state is looked at between them as well.
@@ -182,20 +168,19 @@ TEST(PartitionSolvers, SparseSamplesGiveTheBitsOfTheSerialRun) {
 
 TEST(PartitionSolvers, AChoiceThatDoesNotFitIsRefusedWithTheReason) {
   const Problem problem(massChain(4));
-  const auto refusal = [&](PartitionChoice choice, FixedStep step = kStep) {
+  const auto refusal = [&](const Sharing& sharing, FixedStep step = kStep) {
     try {
-      runPartitioned(problem.system, problem.input, problem.schedule, step, problem.start,
-                     [](int, int, double, std::span<const double>) { return true; }, choice);
+      runPartitioned(
+          problem.problem(), step, [](int, int, double, std::span<const double>) { return true; }, sharing);
     } catch (const std::invalid_argument& error) {
       return std::string(error.what());
     }
     return std::string("nothing");
   };
-  EXPECT_EQ(refusal(choiceOf(Scheme::kHalo, EquationMap::kAuto, 5)),
+  EXPECT_EQ(refusal({5, Scheme::kHalo}),
             "5 threads for 4 equations: map auto gives every thread at least one; take at most 4");
-  EXPECT_EQ(refusal(choiceOf(Scheme::kSerial, EquationMap::kAuto, 2)),
-            "scheme serial is for 1 thread, here are 2; take stages, halo, rows or pipeline");
-  EXPECT_EQ(refusal(choiceOf(Scheme::kStages, EquationMap::kAuto, 2), {.step = -1.0}),
+  EXPECT_EQ(refusal({2, Scheme::kSerial}), "scheme serial is for 1 thread, here are 2; take stages, halo or pipeline");
+  EXPECT_EQ(refusal({2, Scheme::kStages}, {.step = -1.0}),
             "fixed step: step = -1 s, must be finite and > 0; refine = 1, must be >= 1");
 }
 

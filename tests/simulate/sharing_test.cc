@@ -43,35 +43,38 @@ Scenario shortened(Scenario scenario) {
   return scenario;
 }
 
+/// A scheme by its name; none where the choice is left open.
+std::optional<Scheme> schemeNamed(const std::string& name) {
+  return name.empty() ? std::nullopt : std::optional(schemeOf(name));
+}
+
 /// Every way to run, except those that do not fit.
 struct Asked {
   const char* method;
   const char* scheme;
   std::vector<int> threads;
 };
-const std::vector<Asked> kAsked = {{"rk4", "stages", {1, 2, 4}},   {"rk4", "halo", {1, 2, 3}},
-                                   {"rk4", "pipeline", {1, 2, 5}}, {"exact", "rows", {1, 2, 4}},
-                                   {"rk4", "", {2, 3}},            {"exact", "", {2}}};
+const std::vector<Asked> kAsked = {
+    {"rk4", "stages", {1, 2, 4}}, {"rk4", "halo", {1, 2, 3}}, {"rk4", "pipeline", {1, 2, 5}}, {"rk4", "", {2, 3}}};
 
 void expectSerialBits(const Vehicle& vehicle, const Scenario& scenario, double speed) {
   RunChoice choice;
   choice.speed = speed;
   for (const Asked& asked : kAsked) {
-    choice.scheme.clear();
-    choice.threads = 1;
+    choice.sharing = {};
     const RunResult serial = run(vehicle, scenario, "flat", asked.method, choice);
     EXPECT_EQ(serial.scheme, "serial");
     EXPECT_EQ(serial.threads, 1);
-    choice.scheme = asked.scheme;
+    choice.sharing.scheme = schemeNamed(asked.scheme);
     for (const int threads : asked.threads) {
-      choice.threads = threads;
+      choice.sharing.threads = threads;
       const RunResult shared = run(vehicle, scenario, "flat", asked.method, choice);
       const std::string what =
           vehicle.name + " " + asked.method + " by " + shared.scheme + " on " + std::to_string(threads);
       EXPECT_EQ(shared.threads, threads) << what;
       EXPECT_EQ(shared.team.members.size(), static_cast<std::size_t>(threads)) << what;
-      if (!choice.scheme.empty()) {
-        EXPECT_EQ(shared.scheme, choice.scheme);
+      if (choice.sharing.scheme) {
+        EXPECT_EQ(shared.scheme, asked.scheme);
       }
       EXPECT_EQ(shared.statistics.steps, serial.statistics.steps) << what;
       ASSERT_EQ(shared.history.samples(), serial.history.samples()) << what;
@@ -106,7 +109,7 @@ TEST(Sharing, AutoGivesTheSerialBitsAndSaysWhatItTook) {
       if (!methodMisfit(method, form).empty()) continue;
       RunChoice choice;
       const RunResult serial = run(paperVehicle(), scenario, form, method, choice);
-      choice.threads = 0;
+      choice.sharing.threads = 0;
       const RunResult chosen = run(paperVehicle(), scenario, form, method, choice);
       EXPECT_EQ(historyError(chosen.history, serial.history), 0.0) << form << " " << method;
       EXPECT_EQ(chosen.scheme, "serial") << "three seconds are over before another thread has started";
@@ -125,13 +128,11 @@ TEST(Sharing, ALongRunIsCalibratedAndKeepsItsBits) {
   RunChoice choice;
   choice.step = 5e-6;
   const RunResult serial = run(paperVehicle(), scenario, "flat", "rk4", choice);
-  choice.threads = 0;
+  choice.sharing.threads = 0;
   const RunResult chosen = run(paperVehicle(), scenario, "flat", "rk4", choice);
   EXPECT_EQ(historyError(chosen.history, serial.history), 0.0);
   EXPECT_GT(chosen.decision.step, 0.0) << chosen.decision.reason;
-  // Under a sanitizer a trial may start too slowly for more than that.
-  const bool starts_slowly = chosen.decision.reason.find("too long to try others") != std::string::npos;
-  EXPECT_TRUE(starts_slowly || chosen.decision.input > 0.0) << chosen.decision.reason;
+  EXPECT_GT(chosen.decision.input, 0.0) << chosen.decision.reason;
   EXPECT_LT(chosen.decision.calibration, 0.5 * chosen.wall_seconds) << chosen.decision.reason;
   EXPECT_EQ(nameOf(chosen.decision.scheme), chosen.scheme);
   EXPECT_EQ(chosen.decision.threads, chosen.threads);
@@ -143,9 +144,9 @@ std::string refusal(const std::string& form, const std::string& method, int thre
                     const std::string& map = "auto") {
   try {
     RunChoice choice;
-    choice.threads = threads;
-    choice.scheme = scheme;
-    choice.map = map;
+    choice.sharing.threads = threads;
+    choice.sharing.scheme = schemeNamed(scheme);
+    choice.sharing.map = equationMapOf(map);
     (void)run(paperVehicle(), shortened(paperScenario(History::kOnset)), form, method, choice);
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -160,22 +161,22 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
   EXPECT_EQ(refusal("flat", "dopri5", 2, ""),
             "the method dopri5 runs on one thread: it chooses each step from the whole state; take --threads 1, or "
             "method rk4");
-  EXPECT_EQ(refusal("flat", "exact", 16, ""),
-            "16 threads for 4 equations: every thread computes at least one; take at most 4");
+  EXPECT_EQ(refusal("flat", "exact", 2, ""),
+            "the method exact runs on one thread: every thread would have to find the same matrices; take --threads 1, "
+            "or method rk4");
   EXPECT_EQ(refusal("flat", "rk4", -1, ""), "threads = -1, must be 1..256, or 0 to let a calibration choose");
   EXPECT_EQ(refusal("flat", "rk4", 2, "serial"),
             "scheme serial runs on one thread, not on 2; take --threads 1, or another scheme");
-  EXPECT_EQ(refusal("flat", "rk4", 2, "rows"),
-            "scheme rows does not share the work of rk4; take serial | stages | halo | pipeline");
-  EXPECT_EQ(refusal("flat", "rk4", 2, "stage"), "scheme \"stage\" is unknown; did you mean \"stages\"?");
+  EXPECT_EQ(refusal("flat", "rk4", 2, "split"),
+            "scheme split does not share the work of rk4; take serial | stages | halo | pipeline");
   EXPECT_EQ(refusal("flat", "rk4", 2, "pipeline", "body"),
             "--map body has no effect with the scheme pipeline, whose threads have no equations of their own; omit "
-            "--map, or take scheme stages, halo or rows");
+            "--map, or take scheme stages or halo");
   EXPECT_EQ(refusal("flat", "rk4", 1, "", "body"), "not refused");
   for (const int threads : {0, 2}) {
     EXPECT_EQ(refusal("flat", "rk4_split", threads, "", "body"),
               "--map body has no effect with the method rk4_split, whose threads have no equations of their own; omit "
-              "--map, or take method rk4 or exact");
+              "--map, or take method rk4");
   }
   EXPECT_EQ(refusal("mbs", "rk4", 0, "", "body"), refusal("mbs", "rk4", 2, ""));
   EXPECT_EQ(refusal("flat", "rk4", 4, "", "body"),
@@ -185,8 +186,7 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
       refusal("flat", "rk4", 2, "", "paper"),
       "map paper divides the four equations of the source paper's vehicle among four threads; here are 2 threads; "
       "take 4, or map auto or body");
-  EXPECT_EQ(refusal("flat", "exact", 0, "", "paper"), "not refused");
-  EXPECT_EQ(refusal("flat", "rk4", 2, "stages", "papr"), "map \"papr\" is unknown; did you mean \"paper\"?");
+  EXPECT_EQ(refusal("flat", "rk4", 0, "", "paper"), "not refused");
   const std::string many = refusal("flat", "rk4", 5, "stages");
   EXPECT_NE(many.find("5"), std::string::npos) << many;
   EXPECT_NE(many.find("4"), std::string::npos) << many;
@@ -197,8 +197,8 @@ TEST(Sharing, RefusesWhatDoesNotFitWithReasonAndRemedy) {
 TEST(Sharing, AutoNamesTheOnlyWayThereIs) {
   const auto reason = [](const char* form, const char* method, const char* scheme) {
     RunChoice choice;
-    choice.threads = 0;
-    choice.scheme = scheme;
+    choice.sharing.threads = 0;
+    choice.sharing.scheme = schemeNamed(scheme);
     return run(paperVehicle(), shortened(paperScenario(History::kOnset)), form, method, choice).decision.reason;
   };
   EXPECT_EQ(reason("flat", "dopri5", ""), "serial: there is no other scheme to try");
@@ -209,21 +209,20 @@ TEST(Sharing, AutoNamesTheOnlyWayThereIs) {
 
 TEST(Sharing, AutoWeighsOnlyTheThreadsThatTheMapKnows) {
   RunChoice choice;
-  choice.threads = 0;
-  choice.map = "paper";
-  for (const char* method : {"rk4", "exact"}) {
-    const RunResult made = run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", method, choice);
-    for (const Candidate& each : made.decision.candidates) {
-      EXPECT_EQ(each.threads, each.scheme == Scheme::kSerial ? 1 : 4) << method << " " << nameOf(each.scheme);
-    }
+  choice.sharing.threads = 0;
+  choice.sharing.map = EquationMap::kPaper;
+  const RunResult made = run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", "rk4", choice);
+  EXPECT_EQ(made.decision.candidates.size(), 3u);
+  for (const Candidate& each : made.decision.candidates) {
+    EXPECT_EQ(each.threads, each.scheme == Scheme::kSerial ? 1 : 4) << nameOf(each.scheme);
   }
 }
 
 std::string workOf(const char* method, const char* scheme, int threads, const char* map = "auto") {
   RunChoice choice;
-  choice.threads = threads;
-  choice.scheme = scheme;
-  choice.map = map;
+  choice.sharing.threads = threads;
+  choice.sharing.scheme = schemeNamed(scheme);
+  choice.sharing.map = equationMapOf(map);
   std::string all;
   for (const ThreadWork& work :
        run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", method, choice).work) {
@@ -234,9 +233,9 @@ std::string workOf(const char* method, const char* scheme, int threads, const ch
 
 TEST(Sharing, AMapWithoutASchemeTakesASchemeThatUsesIt) {
   RunChoice choice;
-  choice.threads = 2;
+  choice.sharing.threads = 2;
   const auto schemeFor = [&](const char* map) {
-    choice.map = map;
+    choice.sharing.map = equationMapOf(map);
     return run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", "rk4", choice).scheme;
   };
   EXPECT_EQ(schemeFor("auto"), "pipeline");
@@ -259,8 +258,8 @@ TEST(Sharing, SaysWhichThreadComputesWhichEquations) {
 TEST(Sharing, ProgressEndsASharedRunEarly) {
   for (const char* scheme : {"stages", "halo", "pipeline"}) {
     RunChoice choice;
-    choice.threads = 2;
-    choice.scheme = scheme;
+    choice.sharing.threads = 2;
+    choice.sharing.scheme = schemeNamed(scheme);
     choice.form = "flat";
     choice.method = "rk4";
     const RunResult some = simulate(paperVehicle(), paperScenario(History::kOnset), choice,

@@ -1,4 +1,4 @@
-// rk4_split and exact_split: bounce and pitch apart.
+// rk4_split: bounce and pitch apart.
 
 #include <gtest/gtest.h>
 
@@ -29,33 +29,29 @@ constexpr double kRoundings = 1000.0 * 0x1p-53;
 TEST(Split, DiffersFromTheWholeByRoundingAlone) {
   for (const Vehicle& vehicle : {paperVehicle(), paperVehicle(686465.5), heightsVehicle()}) {
     for (const History history : {History::kOnset, History::kExtended}) {
-      for (const std::string method : {"rk4", "exact"}) {
-        const Scenario scenario = paperScenario(history);
-        const RunResult whole = run(vehicle, scenario, "flat", method);
-        const RunResult split = run(vehicle, scenario, "flat", method + "_split");
-        EXPECT_WITHIN(historyError(split.history, whole.history), 0.0, kRoundings) << vehicle.name << " " << method;
-        EXPECT_EQ(split.statistics.steps, whole.statistics.steps);
-        EXPECT_EQ(split.scheme, "serial");
-      }
+      const Scenario scenario = paperScenario(history);
+      const RunResult whole = run(vehicle, scenario, "flat", "rk4");
+      const RunResult split = run(vehicle, scenario, "flat", "rk4_split");
+      EXPECT_WITHIN(historyError(split.history, whole.history), 0.0, kRoundings) << vehicle.name;
+      EXPECT_EQ(split.statistics.steps, whole.statistics.steps);
+      EXPECT_EQ(split.scheme, "serial");
     }
   }
 }
 
 TEST(Split, TwoThreadsGiveTheBitsOfOne) {
   for (const Vehicle& vehicle : {paperVehicle(), heightsVehicle()}) {
-    for (const char* method : {"rk4_split", "exact_split"}) {
-      for (const double speed : {20.0 / 3.6, 80.0 / 3.6, 150.0 / 3.6}) {
-        RunChoice choice;
-        choice.speed = speed;
-        const Scenario scenario = paperScenario(History::kOnset);
-        const RunResult one = run(vehicle, scenario, "flat", method, choice);
-        choice.threads = 2;
-        const RunResult two = run(vehicle, scenario, "flat", method, choice);
-        EXPECT_EQ(two.scheme, "split");
-        EXPECT_EQ(two.threads, 2);
-        EXPECT_EQ(two.team.members.size(), 2u);
-        expectSameBits(two, one, std::string(method));
-      }
+    for (const double speed : {20.0 / 3.6, 80.0 / 3.6, 150.0 / 3.6}) {
+      RunChoice choice;
+      choice.speed = speed;
+      const Scenario scenario = paperScenario(History::kOnset);
+      const RunResult one = run(vehicle, scenario, "flat", "rk4_split", choice);
+      choice.sharing.threads = 2;
+      const RunResult two = run(vehicle, scenario, "flat", "rk4_split", choice);
+      EXPECT_EQ(two.scheme, "split");
+      EXPECT_EQ(two.threads, 2);
+      EXPECT_EQ(two.team.members.size(), 2u);
+      expectSameBits(two, one, vehicle.name);
     }
   }
 }
@@ -68,11 +64,11 @@ TEST(Split, StartsFromAnyStateAndEndsEarlyWhenToldTo) {
   bogie.z = -2e-3;
   bogie.z_rate = 0.03;
   scenario.initial_state.bodies = {bogie};
-  const RunResult whole = run(paperVehicle(), scenario, "flat", "exact");
+  const RunResult whole = run(paperVehicle(), scenario, "flat", "rk4");
   for (const int threads : {1, 2}) {
     RunChoice choice;
-    choice.threads = threads;
-    const RunResult split = run(paperVehicle(), scenario, "flat", "exact_split", choice);
+    choice.sharing.threads = threads;
+    const RunResult split = run(paperVehicle(), scenario, "flat", "rk4_split", choice);
     EXPECT_WITHIN(historyError(split.history, whole.history), 0.0, kRoundings);
     choice.form = "flat";
     choice.method = "rk4_split";
@@ -85,33 +81,31 @@ TEST(Split, StartsFromAnyStateAndEndsEarlyWhenToldTo) {
 
 // Both threads: each steps its half of the vehicle, and every 16th of its steps is a span of its own.
 TEST(Split, ItsStepsAreTracedOnBothThreads) {
-  for (const char* method : {"rk4_split", "exact_split"}) {
-    RunChoice choice;
-    choice.threads = 2;
-    const RunResult plain = run(paperVehicle(), paperScenario(History::kOnset), "flat", method, choice);
-    Tracer tracer(16);
-    choice.team.tracer = &tracer;
-    const RunResult traced = run(paperVehicle(), paperScenario(History::kOnset), "flat", method, choice);
-    EXPECT_EQ(historyError(traced.history, plain.history), 0.0) << method;
-    const Trace trace = tracer.trace();
-    const long steps = traced.statistics.steps;
-    EXPECT_EQ(trace.traced_steps, (steps + 15) / 16) << method;
-    long spans[2] = {0, 0};
-    for (const Span& span : trace.spans) {
-      EXPECT_EQ(span.step % 16, 0) << method;
-      EXPECT_LT(span.step, steps) << method;
-      ++spans[span.thread];
-    }
-    EXPECT_EQ(spans[0], trace.traced_steps) << method;
-    EXPECT_EQ(spans[1], trace.traced_steps) << method;
-    EXPECT_EQ(trace.steps.count, steps) << method;
+  RunChoice choice;
+  choice.sharing.threads = 2;
+  const RunResult plain = run(paperVehicle(), paperScenario(History::kOnset), "flat", "rk4_split", choice);
+  Tracer tracer(16);
+  choice.team.tracer = &tracer;
+  const RunResult traced = run(paperVehicle(), paperScenario(History::kOnset), "flat", "rk4_split", choice);
+  EXPECT_EQ(historyError(traced.history, plain.history), 0.0);
+  const Trace trace = tracer.trace();
+  const long steps = traced.statistics.steps;
+  EXPECT_EQ(trace.traced_steps, (steps + 15) / 16);
+  long spans[2] = {0, 0};
+  for (const Span& span : trace.spans) {
+    EXPECT_EQ(span.step % 16, 0);
+    EXPECT_LT(span.step, steps);
+    ++spans[span.thread];
   }
+  EXPECT_EQ(spans[0], trace.traced_steps);
+  EXPECT_EQ(spans[1], trace.traced_steps);
+  EXPECT_EQ(trace.steps.count, steps);
 }
 
 std::string refusal(const Vehicle& vehicle, const std::string& form, const std::string& method, int threads) {
   try {
     RunChoice choice;
-    choice.threads = threads;
+    choice.sharing.threads = threads;
     (void)run(vehicle, paperScenario(History::kOnset), form, method, choice);
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -131,10 +125,12 @@ TEST(Split, IsRefusedWhereBounceAndPitchDoNotPart) {
   EXPECT_EQ(methodMisfit("rk4_split", "flat", compile(heavier, 9.81)), why);
   EXPECT_EQ(methodMisfit("rk4_split", "flat", compile(paperVehicle(), 9.81)), "");
   EXPECT_EQ(methodMisfit("rk4_split", "flat", compile(bogiePitchVehicle(), 9.81)), "");
-  EXPECT_EQ(refusal(paperVehicle(), "matrix", "exact_split", 1),
-            "the method exact_split runs the form flat, not matrix; take exact");
-  EXPECT_EQ(refusal(paperVehicle(), "flat", "exact_split", 3),
-            "exact_split has two parts, bounce and pitch: it runs on 1 or 2 threads, not on 3");
+  EXPECT_EQ(refusal(paperVehicle(), "matrix", "rk4_split", 1),
+            "the method rk4_split runs the form flat, not matrix; take rk4");
+  const std::string gone = refusal(paperVehicle(), "flat", "exact_split", 1);
+  EXPECT_TRUE(gone.starts_with("method \"exact_split\" is unknown; ")) << gone;
+  EXPECT_EQ(refusal(paperVehicle(), "flat", "rk4_split", 3),
+            "rk4_split has two parts, bounce and pitch: it runs on 1 or 2 threads, not on 3");
 }
 
 }  // namespace

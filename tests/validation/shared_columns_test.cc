@@ -49,9 +49,8 @@ void expectEqualBits(const ValidationReport& report) {
 
 TEST(SharedColumns, ThePapersVehicleIsRunByEverySchemeAndHasTheBitsOfTheSerialRun) {
   const ValidationReport report = validate(test::paperVehicle(), onsetFor(0.5), flatChoice());
-  for (const char* text :
-       {"flat rk4 stages x4 map paper", "flat rk4 halo x2", "flat rk4 pipeline x2", "flat exact rows x2",
-        "flat rk4_split", "flat rk4_split split x2", "flat exact_split split x2"}) {
+  for (const char* text : {"flat rk4 stages x4 map paper", "flat rk4 halo x2", "flat rk4 pipeline x2", "flat rk4_split",
+                           "flat rk4_split split x2"}) {
     EXPECT_TRUE(hasRun(report, text)) << text;
   }
   expectEqualBits(report);

@@ -5,7 +5,7 @@ _vehicle() {
   local common="--help --version --format --quiet --strict"
   local settings="--speed --step --rtol --atol --accuracy"
   local forms="flat matrix mbs-linear mbs flat-7-printed flat-literal flat-literal-mb"
-  local methods="rk4 dopri5 exact simbody_rkm rk4_split exact_split"
+  local methods="rk4 dopri5 exact simbody_rkm rk4_split"
   local sharing="--threads --scheme --map"
   local team="--waiting --pinning --priority"
   local words=""
@@ -24,7 +24,7 @@ _vehicle() {
     --method) words=$methods ;;
     --format) words="table csv json" ;;
     --threads) words="auto 1 2 4" ;;
-    --scheme) words="serial stages halo rows pipeline split" ;;
+    --scheme) words="serial stages halo pipeline split" ;;
     --map) words="paper body auto" ;;
     --waiting) words="auto spin yield sleep" ;;
     --pinning) words="cores free" ;;

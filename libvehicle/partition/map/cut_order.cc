@@ -13,16 +13,15 @@ const EquationSet& equationsOf(const System& system) {
       "partition: the system cannot be cut into equations; run it on one thread, without a scheme");
 }
 
-CutRun::CutRun(const System& system, const Input& input, std::span<const double> x0)
-    : set_(&equationsOf(system)), input_(&input) {
-  checkChannels("rk4", system.channels(), input.channels());
-  checkStart("rk4", x0, system.size());
+CutRun::CutRun(const RunProblem& problem) : set_(&equationsOf(problem.system)), input_(&problem.input) {
+  checkChannels("rk4", problem.system.channels(), problem.input.channels());
+  checkStart("rk4", problem.x0, problem.system.size());
   const std::vector<int>& channels = set_->channelOrder();
   bool identity = true;
   for (std::size_t i = 0; i < channels.size(); ++i) identity = identity && channels[i] == static_cast<int>(i);
-  if (!identity) reordered_ = input.inOrder(channels);
-  x0_.reserve(x0.size());
-  for (const int entry : set_->stateOrder()) x0_.push_back(x0[static_cast<std::size_t>(entry)]);
+  if (!identity) reordered_ = problem.input.inOrder(channels);
+  x0_.reserve(problem.x0.size());
+  for (const int entry : set_->stateOrder()) x0_.push_back(problem.x0[static_cast<std::size_t>(entry)]);
 }
 
 }  // namespace vehicle

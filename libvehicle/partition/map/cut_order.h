@@ -1,11 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "libvehicle/system/input.h"
-#include "libvehicle/system/system.h"
+#include "libvehicle/system/run_problem.h"
 
 namespace vehicle {
 
@@ -17,7 +15,7 @@ namespace vehicle {
 class CutRun {
  public:
   /// @throws std::invalid_argument if the system cannot be cut into equations, or as checkChannels() and checkStart()
-  CutRun(const System& system, const Input& input, std::span<const double> x0);
+  explicit CutRun(const RunProblem& problem);
 
   [[nodiscard]] const EquationSet& set() const { return *set_; }
   [[nodiscard]] const Input& input() const { return reordered_ ? *reordered_ : *input_; }

@@ -187,21 +187,20 @@ void BlockedRk4::advance(double h, int k, int number) {
   }
 }
 
-Statistics runBlockedRk4(const System& system, const Input& input, const Schedule& schedule, FixedStep step,
-                         std::span<const double> x0, const Observer& observe) {
-  const CutRun cut(system, input, x0);
+Statistics runBlockedRk4(const RunProblem& problem, FixedStep step, const Observer& observe) {
+  const CutRun cut(problem);
   const EquationGraph graph(cut.set());
   BlockedRk4 rk4(cut.set(), graph, cut.input(), {0, graph.size()});
   std::copy(cut.x0().begin(), cut.x0().end(), rk4.x());
 
-  std::vector<double> x(x0.begin(), x0.end());
+  std::vector<double> x(problem.x0.begin(), problem.x0.end());
   Statistics statistics;
-  const Stretch start = schedule.stretches().front();
+  const Stretch start = problem.schedule.stretches().front();
   statistics.stopped = !observe(0, start.segment, start.begin, x);
   if (statistics.stopped) return statistics;
   const std::vector<int>& order = cut.set().stateOrder();
   walkSteps(
-      schedule, step, rk4.stepsOfBlock(), [&](const StepBlock& steps) { rk4.enter(steps); },
+      {problem.schedule, step, rk4.stepsOfBlock()}, [&](const StepBlock& steps) { rk4.enter(steps); },
       [&](double h, int k) {
         rk4.prepare(k);
         rk4.step(h, k, [](int) {});

@@ -24,6 +24,7 @@
 #include "libvehicle/partition/map/equation_graph.h"
 #include "libvehicle/partition/schemes/rail_rows.h"
 #include "libvehicle/partition/schemes/step_walk.h"
+#include "libvehicle/system/run_problem.h"
 
 namespace vehicle {
 
@@ -104,7 +105,6 @@ class BlockedRk4 {
 /// runRk4() of a system that can be cut, on the calling thread, cache block by cache block: the honest serial baseline
 /// of every scheme. The bits of runRk4().
 /// @throws as runRk4(), and std::invalid_argument if the system cannot be cut into equations
-Statistics runBlockedRk4(const System& system, const Input& input, const Schedule& schedule, FixedStep step,
-                         std::span<const double> x0, const Observer& observe);
+Statistics runBlockedRk4(const RunProblem& problem, FixedStep step, const Observer& observe);
 
 }  // namespace vehicle

@@ -18,7 +18,10 @@ namespace vehicle {
 
 /// Rk4 with redundant halo, the bits of runRk4(). On one thread it is runBlockedRk4().
 /// @throws as runPartitioned()
-PartitionRun runHaloExchange(const System& system, const Input& input, const Schedule& schedule, FixedStep step,
-                             std::span<const double> x0, const Observer& observe, const PartitionChoice& choice);
+PartitionRun runHaloExchange(const RunProblem& problem, FixedStep step, const Observer& observe, const Sharing& sharing,
+                             const TeamPolicy& team);
+
+/// [s] a step takes at best, redundant equations included.
+[[nodiscard]] double haloExchangeStep(const StepCosts& costs, const EquationSet& set, const Sharing& sharing);
 
 }  // namespace vehicle

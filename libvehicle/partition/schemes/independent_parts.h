@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "libvehicle/partition/team/team.h"
 #include "libvehicle/system/schedule.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 
@@ -32,6 +32,6 @@ struct PartsRun {
 /// @throws std::invalid_argument  for no parts, or a number of threads outside 1..parts
 /// @throws                        what a part throws
 PartsRun runIndependentParts(const std::vector<IndependentPart>& parts, int samples, const Observer& observe,
-                             const TeamChoice& team);
+                             int threads, const TeamPolicy& team);
 
 }  // namespace vehicle

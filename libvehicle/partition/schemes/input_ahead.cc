@@ -91,6 +91,7 @@ bool InputAhead::computeIfOpen(Member& me, long parcel, std::vector<StepBlock>& 
   me.disturb(parcel);
   compute(parcel, blocks, slot.rows.data());
   slot.state.store(word(parcel, kReady), std::memory_order_release);
+  me.ring();
   return true;
 }
 
@@ -152,14 +153,15 @@ const double* InputAhead::acquire(Member& me) {
   return own_.data();
 }
 
-void InputAhead::release() {
+void InputAhead::release(Member& me) {
   if (from_slot_) slotOf(parcel_).state.store(word(parcel_ + count_, kOpen), std::memory_order_release);
   done_.store(parcel_ + 1, std::memory_order_release);
+  me.ring();
 }
 
 const double* InputAhead::enter(Member& me, const StepBlock& block) {
   if (block_ == blocks_.size()) {
-    if (parcel_ >= 0) release();
+    if (parcel_ >= 0) release(me);
     ++parcel_;
     me.disturb(parcel_);
     next_ = acquire(me);

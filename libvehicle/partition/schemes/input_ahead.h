@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "libvehicle/partition/schemes/step_walk.h"
-#include "libvehicle/partition/team/team.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 
@@ -113,7 +113,7 @@ class InputAhead {
 
   const double* acquire(Member& me);
   bool isReadyInTime(Member& me, Slot& slot);
-  void release();
+  void release(Member& me);
   bool computeIfOpen(Member& me, long parcel, std::vector<StepBlock>& blocks);
   void compute(long parcel, std::vector<StepBlock>& blocks, double* u) const;
 

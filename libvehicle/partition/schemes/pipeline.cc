@@ -1,5 +1,7 @@
 #include "libvehicle/partition/schemes/pipeline.h"
 
+#include <algorithm>
+
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/integrate/system_rhs.h"
 
@@ -12,20 +14,15 @@ BlockRows sweepRows(const Input& input) {
   };
 }
 
-BlockRows evaluatedRows(const Input& input) {
-  return [&input](const StepBlock& block, int rows, double* u) {
-    const std::size_t width = 2 * static_cast<std::size_t>(input.channels());
-    for (int i = 0; i < rows; ++i, u += width) {
-      input.evaluate(block.segment, block.begin + 0.5 * block.h * (2 * block.first + i), {u, width});
-    }
-  };
+PipelineRun runPipeline(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
+                        const TeamPolicy& team) {
+  checkChannels("rk4", problem.system.channels(), problem.input.channels());
+  Rk4<SystemRhs> stepper(SystemRhs(problem.system), problem.system.size());
+  return runPipelined(stepper, problem, {step, sweepRows(problem.input), threads}, observe, team);
 }
 
-PipelineRun runPipeline(const System& system, const Input& input, const Schedule& schedule, FixedStep step,
-                        std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
-  checkChannels("rk4", system.channels(), input.channels());
-  Rk4<SystemRhs> stepper(SystemRhs(system), system.size());
-  return runPipelined(stepper, input.channels(), sweepRows(input), schedule, step, x0, observe, team);
+double pipelineStep(const StepCosts& costs, int threads) {
+  return std::max(costs.step / threads, costs.step - costs.input);
 }
 
 }  // namespace vehicle

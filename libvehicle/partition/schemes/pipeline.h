@@ -31,20 +31,26 @@ struct TracedStepper {
   }
 };
 
+/// What of a run is shared: the rows that its steps read.
+struct Pipeline {
+  FixedStep step;
+  BlockRows rows;  // the input at half steps; sweepRows() for the bits of runFixedStep()
+  int threads = 2;
+};
+
 /// A run of fixed steps whose input is computed ahead: member 0 steps, all members compute input blocks
 /// (input_ahead.h). What is shared is the input alone: the bits of runFixedStep() for every number of threads, and at
 /// best (step + input) / threads, but never less than a step without its input.
 ///
-/// @tparam Stepper  as for runFixedStep()
-/// @param rows      the input at half steps; sweepRows() for the bits of runFixedStep()
+/// @tparam Stepper  as for runFixedStep(), in the order of the problem's input and x0; the system is not looked at
 /// @throws as runFixedStep() and runTeam()
 template <class Stepper>
-PipelineRun runPipelined(const Stepper& stepper, int channels, const BlockRows& rows, const Schedule& schedule,
-                         FixedStep step, std::span<const double> x0, const Observer& observe, const TeamChoice& team) {
-  const int width = 2 * channels;
-  InputAhead ahead(schedule, step, width, rows);
+PipelineRun runPipelined(const Stepper& stepper, const RunProblem& problem, const Pipeline& shared,
+                         const Observer& observe, const TeamPolicy& team) {
+  const int width = 2 * problem.input.channels();
+  InputAhead ahead(problem.schedule, shared.step, width, shared.rows);
   PipelineRun made;
-  made.run.team = runTeam(team, [&](Member& me) {
+  made.run.team = runTeam(shared.threads, team, [&](Member& me) {
     if (me.number() > 0) {
       ahead.help(me);
       return;
@@ -52,13 +58,16 @@ PipelineRun runPipelined(const Stepper& stepper, int channels, const BlockRows& 
     const auto feed = [&](int segment, double begin, double h, int first, int last) {
       return ahead.enter(me, {segment, begin, h, first, last});
     };
+    const auto steps = [&](auto& own) {
+      return runFedSteps(own, width, feed, problem.schedule, shared.step, problem.x0, observe);
+    };
     // A copy of its own: what the compiler knows to be this thread's alone it keeps in registers.
     Stepper own(stepper);
     if (team.tracer == nullptr) {
-      made.run.statistics = runFedSteps(own, width, feed, schedule, step, x0, observe);
+      made.run.statistics = steps(own);
     } else {
       TracedStepper<Stepper> traced{own, me};
-      made.run.statistics = runFedSteps(traced, width, feed, schedule, step, x0, observe);
+      made.run.statistics = steps(traced);
     }
     if (made.run.statistics.stopped) me.stopTeam();
   });
@@ -71,13 +80,12 @@ PipelineRun runPipelined(const Stepper& stepper, int channels, const BlockRows& 
 /// Rows by Input::sweep, as runFixedStep() asks for them. Looks at the input.
 [[nodiscard]] BlockRows sweepRows(const Input& input);
 
-/// Rows by the formula at every half step, one sine and cosine per frequency each: what the rail costs where nobody
-/// has thought about it. For measurements; differs from sweepRows() by Input::sweepError(). Looks at the input.
-[[nodiscard]] BlockRows evaluatedRows(const Input& input);
-
 /// runRk4() of any System with its input computed ahead.
 /// @throws as runRk4() and runTeam()
-PipelineRun runPipeline(const System& system, const Input& input, const Schedule& schedule, FixedStep step,
-                        std::span<const double> x0, const Observer& observe, const TeamChoice& team);
+PipelineRun runPipeline(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
+                        const TeamPolicy& team);
+
+/// [s] a step takes at best.
+[[nodiscard]] double pipelineStep(const StepCosts& costs, int threads);
 
 }  // namespace vehicle

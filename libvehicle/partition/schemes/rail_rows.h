@@ -34,41 +34,4 @@ class SweptRows {
   std::vector<double> rows_;
 };
 
-/// Rows of some channels, each read when there is time for it.
-class OwnRows {
- public:
-  /// @param channels  that enter the thread's equations
-  OwnRows(const Input& input, ChannelRun channels)
-      : input_(input), channels_(channels), row_{makeRow(channels), makeRow(channels), makeRow(channels)} {}
-
-  void enter(const StepBlock& steps) {
-    steps.wind(input_, clock_);
-    read(0, row_[2]);
-  }
-  /// Begins step k; its first row is the last of the step before.
-  void beginStep(int k) {
-    row_[0].swap(row_[2]);
-    sample_ = 2 * k;
-  }
-  void readMiddle() { read(sample_ + 1, row_[1]); }
-  void readEnd() { read(sample_ + 2, row_[2]); }
-
-  /// The row at the begin (0), middle (1) or end (2) of the step, of channels() alone.
-  [[nodiscard]] const double* row(int which) const { return row_[which].data(); }
-  [[nodiscard]] ChannelRun channels() const { return channels_; }
-
- private:
-  using Values = std::vector<double>;
-  static Values makeRow(ChannelRun channels) { return Values(static_cast<std::size_t>(2 * channels.size())); }
-  void read(int sample, Values& row) {
-    if (channels_.size() > 0) input_.readRow(clock_, sample, channels_.first, channels_.last, row.data());
-  }
-
-  const Input& input_;
-  ChannelRun channels_;
-  SweepClock clock_;
-  Values row_[3];
-  int sample_ = 0;
-};
-
 }  // namespace vehicle

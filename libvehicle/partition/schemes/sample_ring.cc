@@ -21,8 +21,9 @@ SampleRing::SampleRing(const char* method, int threads, int states, const Observ
       states_(stride_ * static_cast<std::size_t>(slots_)),
       lines_(static_cast<std::size_t>(threads)) {}
 
-bool SampleRing::begin(Member& me, int segment, double t, std::span<const double> x0) {
-  statistics_.stopped = !observe_(0, segment, t, x0);
+bool SampleRing::begin(Member& me, const RunProblem& problem) {
+  const Stretch start = problem.schedule.stretches().front();
+  statistics_.stopped = !observe_(0, start.segment, start.begin, problem.x0);
   if (!statistics_.stopped) return true;
   stopped_.store(true, std::memory_order_relaxed);
   me.stopTeam();
@@ -48,6 +49,7 @@ bool SampleRing::done(Member& me, long pause, bool finite) {
   line.finite[pause % slots_] = finite;
   me.disturb(pause);
   line.written.store(pause + 1, std::memory_order_release);
+  me.ring();
   if (me.number() != 0) return !stopped_.load(std::memory_order_relaxed);
   while (!statistics_.stopped) {
     const long next = shown_.load(std::memory_order_relaxed);
@@ -77,6 +79,7 @@ void SampleRing::showNext(Member& me) {
   statistics_.steps = here.steps;
   if (here.sample >= 0) statistics_.stopped = !observe_(here.sample, here.segment, here.end, x);
   shown_.store(pause + 1, std::memory_order_release);
+  me.ring();
   if (!statistics_.stopped) return;
   stopped_.store(true, std::memory_order_relaxed);
   me.stopTeam();

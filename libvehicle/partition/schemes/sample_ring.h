@@ -22,7 +22,8 @@
 
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/schemes/step_walk.h"
-#include "libvehicle/partition/team/team.h"
+#include "libvehicle/system/run_problem.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle {
 
@@ -37,7 +38,7 @@ class SampleRing {
   SampleRing(const char* method, int threads, int states, const Observer& observe);
 
   /// Member 0 before its first step: shows the start. False if the observer ends the run there.
-  bool begin(Member& me, int segment, double t, std::span<const double> x0);
+  bool begin(Member& me, const RunProblem& problem);
 
   /// Every member at every pause, in order.
   /// @param fill  fill(double* x): writes the member's own entries of the state, in the System's order, and returns

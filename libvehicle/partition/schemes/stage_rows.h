@@ -21,11 +21,11 @@ namespace vehicle {
 /// The blocks of a walk of SweptRows::kSteps steps a block, one after the other, ahead of the walk itself.
 class BlocksAhead {
  public:
-  BlocksAhead(const Schedule& schedule, FixedStep step) {
+  explicit BlocksAhead(const StepWalk& way) {
     constexpr int kWholeGrid = 1 << 30;
     walkSteps(
-        schedule, step, kWholeGrid, [&](const StepBlock& grid) { grids_.push_back(grid); }, [](double, int) {},
-        [](const StepPause&) { return true; });
+        {way.schedule, way.step, kWholeGrid}, [&](const StepBlock& grid) { grids_.push_back(grid); },
+        [](double, int) {}, [](const StepPause&) { return true; });
   }
   [[nodiscard]] std::optional<StepBlock> next() {
     if (grid_ == grids_.size()) return std::nullopt;
@@ -46,16 +46,13 @@ class BlocksAhead {
   int done_ = 0;  // steps of it
 };
 
-/// A thread's own rows, of the channels that enter its equations. Where none does, they are zeros of the input's width:
-/// a right-hand side of all equations still looks at them, though what it makes of them is not used.
+/// A thread's own rows, of the channels that enter its equations; none where none does.
 class AheadRows {
  public:
-  AheadRows(const Input& input, ChannelRun channels, const Schedule& schedule, FixedStep step)
-      : input_(input), channels_(channels) {
-    const int width = channels.size() > 0 ? channels.size() : input.channels();
-    for (Values& row : row_) row.resize(static_cast<std::size_t>(2 * width));
+  AheadRows(const Input& input, ChannelRun channels, const StepWalk& way) : input_(input), channels_(channels) {
+    for (Values& row : row_) row.resize(static_cast<std::size_t>(2 * channels.size()));
     if (channels_.size() == 0) return;
-    ahead_.emplace(schedule, step);
+    ahead_.emplace(way);
     windNext();
   }
 

@@ -29,28 +29,35 @@ struct StepPause {
   long steps = 0;        // done since the run began
 };
 
+/// The way through a run.
+struct StepWalk {
+  const Schedule& schedule;
+  FixedStep step;
+  int block = kStepsPerBlock;  // steps wound at a time: kStepsPerBlock or a part of it that is a multiple of
+                               // Input::kBlock / 2
+};
+
 /// Leads a thread through all steps of a run: the grids, pauses and samples of runFixedStep(), so that every thread
 /// of a team walks the same way without a word between them.
 ///
-/// @param block  steps wound at a time: kStepsPerBlock or a part of it that is a multiple of Input::kBlock / 2
 /// @param enter  enter(const StepBlock&) before the first step of a block
 /// @param move   move(double h, int k): step k of the block, 0 <= k < last - first
 /// @param pause  pause(const StepPause&): false ends the walk
 /// @return  false if a pause ended it
 /// @throws std::invalid_argument for a wrong step (stepsOf)
 template <class Enter, class Move, class Pause>
-bool walkSteps(const Schedule& schedule, FixedStep step, int block, Enter enter, Move move, Pause pause) {
-  const Schedule::Stretches stretches = schedule.stretches();
+bool walkSteps(const StepWalk& way, Enter enter, Move move, Pause pause) {
+  const Schedule::Stretches stretches = way.schedule.stretches();
   auto next = stretches.begin();
   long steps = 0;
   for (std::size_t first = 0; first < stretches.size();) {
-    const StepGrid grid = stepGridAt(schedule, first, step);
+    const StepGrid grid = stepGridAt(way.schedule, first, way.step);
     Stretch stretch = *next;
     const double begin = stretch.begin;
     const int total = grid.steps * static_cast<int>(grid.count);
     int left = grid.steps;  // of this stretch
     for (int done = 0; done < total;) {
-      const StepBlock now{stretch.segment, begin, grid.h, done, std::min(done + block, total)};
+      const StepBlock now{stretch.segment, begin, grid.h, done, std::min(done + way.block, total)};
       enter(now);
       while (done < now.last) {
         const int stop = std::min(now.last, done + left);

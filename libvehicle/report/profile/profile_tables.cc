@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/partition/watch/critical_path.h"
 #include "libvehicle/report/run/sharing_tables.h"
+#include "libvehicle/threads/critical_path.h"
 
 namespace vehicle::report {
 namespace {

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/partition/team/team.h"
-#include "libvehicle/partition/watch/duration_histogram.h"
 #include "libvehicle/report/document/document.h"
 #include "libvehicle/report/run/run_document.h"
 #include "libvehicle/simulate/profile.h"
+#include "libvehicle/threads/duration_histogram.h"
+#include "libvehicle/threads/team.h"
 
 namespace vehicle::report {
 

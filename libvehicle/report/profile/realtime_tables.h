@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libvehicle/report/run/run_document.h"
-#include "libvehicle/simulate/realtime_run.h"
+#include "libvehicle/realtime/realtime_run.h"
 
 namespace vehicle::report {
 

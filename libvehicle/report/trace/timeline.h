@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "libvehicle/partition/watch/trace.h"
+#include "libvehicle/threads/trace.h"
 
 namespace vehicle::report {
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "libvehicle/partition/team/placement.h"
 #include "libvehicle/study/execute/work_pool.h"
+#include "libvehicle/threads/placement.h"
 
 namespace vehicle {
 

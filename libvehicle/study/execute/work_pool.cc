@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "libvehicle/partition/team/refused_thread.h"
+#include "libvehicle/threads/refused_thread.h"
 
 namespace vehicle {
 

@@ -142,6 +142,7 @@ TEST(SetCommand, AStudyGoesOnWithTheSameSettingsOnly) {
 
 // The page on comparing designs shows the beginning of this page of the program.
 TEST(SetCommand, IsShownByItsPageAsItPrints) {
+  const Columns width("110");
   const ProgramRun run =
       runVehicle({"modes", model("vehicles/manchester-coach.xml"), "--set", "secondary.stiffness_z=600 kN/m"});
   ASSERT_EQ(run.status, 0) << run.err;

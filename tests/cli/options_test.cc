@@ -129,6 +129,7 @@ const std::vector<Useless>& useless() {
       {"--output", {"study", "show", "a.sqlite", "--output", "b.sqlite"}, "study show evaluates nothing"},
       {"--resume", {"study", "show", "a.sqlite", "--resume"}, "study show evaluates nothing"},
       {"--jobs", {"study", "show", "a.sqlite", "--jobs", "2"}, "study show evaluates nothing"},
+      {"--set", {"study", "show", "a.sqlite", "--set", "spring.damping_z=30 kN*s/m"}, "study show evaluates nothing"},
       {"--overwrite", {"study", "show", "a.sqlite", "--overwrite"}, "add --export or --write-best"},
   };
   return rows;
@@ -137,12 +138,12 @@ const std::vector<Useless>& useless() {
 // What a command reads whatever stands beside it; beside some options they are wrong, with a message of their own.
 const std::map<std::string, std::set<std::string>>& alwaysRead() {
   static const std::map<std::string, std::set<std::string>> options = {
-      {"check", {}},
-      {"info", {"--gravity"}},
-      {"simulate", {"--form", "--method", "--threads", "--output"}},
-      {"modes", {"--form"}},
-      {"validate", {"--form", "--method"}},
-      {"profile", {"--form", "--realtime"}},
+      {"check", {"--set"}},
+      {"info", {"--gravity", "--set"}},
+      {"simulate", {"--form", "--method", "--threads", "--output", "--set"}},
+      {"modes", {"--form", "--set"}},
+      {"validate", {"--form", "--method", "--set"}},
+      {"profile", {"--form", "--realtime", "--set"}},
       {"study", {"--export"}},
       {"schema", {"--xsd", "--markdown"}},
   };

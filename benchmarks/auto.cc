@@ -2,7 +2,7 @@
 //
 // usage: bench_auto [train N ...] [rail] [seconds S] [turns T] [--csv FILE]
 //
-// train N   every way to run a train of N of the paper's vehicles by rk4, and auto, in turns
+// train N   every way to run a train of N of the paper's vehicles by rk4, and auto, alternately
 // rail      one vehicle on 2, 16 and 64 harmonics, swept and with a sine and cosine at every half step: serial,
 //           pipeline and split on 1, 2 and 4 threads
 // seconds   how long the serial run should take (1); what auto spends on its calibration is part of its time
@@ -161,7 +161,7 @@ double timeOf(const Solver& solver, const Problem& problem, Row& row) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// All solvers in turns.
+/// All solvers alternately.
 std::vector<Row> race(const std::string& name, const Problem& problem, const std::vector<Solver>& solvers, int turns) {
   std::vector<Row> rows;
   for (const Solver& solver : solvers) rows.push_back({name, solver.way, solver.threads, problem.steps, 0, 0, 0, 0});

@@ -173,7 +173,7 @@ double oneWay() {
   return 1e9 * took / (2.0 * kTrips);
 }
 
-/// All designs on one problem, in turns; the way of a cache line takes its turns with them, because a virtual machine
+/// All designs on one problem, alternately; the way of a cache line takes its turns with them, because a virtual machine
 /// changes its cores' distance from one second to the next. It is the last figure.
 std::vector<Figure> race(const std::string& name, const Problem& problem, const std::vector<Design>& designs,
                          int turns) {

@@ -1,4 +1,4 @@
-# vehicle_room(NAME USES rooms... PUBLICLY libraries... PRIVATELY libraries...)
+# vehicle_room(NAME USES rooms... PUBLIC libraries... PRIVATE libraries...)
 #
 # One room = one folder = one static library vehicle_NAME (alias vehicle::NAME). Its folder's CMakeLists.txt
 # calls vehicle_files(). A call along an arrow that USES does not name does not link where a test links the
@@ -10,7 +10,7 @@ target_compile_options(vehicle_warnings INTERFACE -Wall -Wextra -Wconversion -Ws
                                                   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 
 function(vehicle_room name)
-  cmake_parse_arguments(room "" "" "USES;PUBLICLY;PRIVATELY" ${ARGN})
+  cmake_parse_arguments(room "" "" "USES;PUBLIC;PRIVATE" ${ARGN})
   if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/CMakeLists.txt)
     message(FATAL_ERROR "room ${name}: ${name}/CMakeLists.txt is missing")
   endif()
@@ -20,8 +20,8 @@ function(vehicle_room name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON LINKER_LANGUAGE CXX)
   target_compile_features(${target} PUBLIC cxx_std_20)
   list(TRANSFORM room_USES PREPEND vehicle_)
-  target_link_libraries(${target} PUBLIC ${room_USES} ${room_PUBLICLY}
-                        PRIVATE ${room_PRIVATELY} $<BUILD_INTERFACE:vehicle_warnings>)
+  target_link_libraries(${target} PUBLIC ${room_USES} ${room_PUBLIC}
+                        PRIVATE ${room_PRIVATE} $<BUILD_INTERFACE:vehicle_warnings>)
   set_property(GLOBAL APPEND PROPERTY vehicle_rooms ${target})
   add_subdirectory(${name})
   vehicle_unity(${target})

@@ -159,7 +159,7 @@ void requireRunOptionsUsed(const CLI::App& command, const RunChoice& choice, con
   const std::string form = choice.form.empty() ? defaultForm(model.vehicle.topology) : choice.form;
   const std::string method = choice.method.empty() ? defaultMethod(form, model.vehicle.topology) : choice.method;
   // A method that cannot run the form is what is to be said first; the run says it.
-  if (!methodMisfit(method, form).empty()) return;
+  if (!methodUnsupported(method, form).empty()) return;
   requireSettingsUsed(command, {method},
                       fmt::format("the method is {}{}", method, choice.method.empty() ? ", by default" : ""));
 }

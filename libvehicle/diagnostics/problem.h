@@ -15,7 +15,7 @@ struct Place {
   int line = 0;
 };
 
-/// One thing that is wrong with an input, told so that a stranger can mend it.
+/// One thing that is wrong with an input, worded so that a stranger can fix it.
 struct Problem {
   Place place;
   std::string element;  // path of the element, e.g. "<vehicle><body>"; may be empty

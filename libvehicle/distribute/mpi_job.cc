@@ -28,7 +28,7 @@ MpiJob::MpiJob(int own_threads) {
 
 MpiJob::~MpiJob() {
   if (rank == 0) {
-    letGo();
+    release();
   } else if (!said_bye_) {
     refuse();
   }
@@ -36,7 +36,7 @@ MpiJob::~MpiJob() {
   MPI_Finalize();
 }
 
-void MpiJob::letGo() {
+void MpiJob::release() {
   for (int follower = 1; follower < ranks; ++follower) mailbox.send(follower, Note::kEnd);
   for (int left = ranks - 1; left > 0;) {
     const auto letter = mailbox.poll();
@@ -50,7 +50,7 @@ void MpiJob::letGo() {
 
 // A rank that could not begin, or cannot go on: the leader must not wait for it.
 void MpiJob::refuse() {
-  tellFailure("it could not evaluate the study; its own message tells why");
+  sendFailure("it could not evaluate the study; its own message tells why");
   while (!said_bye_) {
     const auto letter = mailbox.poll();
     if (!letter) {
@@ -58,7 +58,7 @@ void MpiJob::refuse() {
     } else if (letter->note == Note::kAbandon) {
       mailbox.send(0, Note::kIdle);
     } else if (letter->note == Note::kEnd) {
-      sayBye();
+      sendShutdown();
     }
   }
 }
@@ -87,7 +87,7 @@ void MpiJob::serve(const Evaluator& evaluator) {
         pool.recycle(std::move(*batch));
       }
     } catch (const std::exception& error) {
-      tellFailure(error.what());
+      sendFailure(error.what());
     }
     if (pool.outstanding() == 0) {
       portions.clear();
@@ -96,17 +96,17 @@ void MpiJob::serve(const Evaluator& evaluator) {
     }
     if (!busy) restALittle();
   }
-  sayBye();
+  sendShutdown();
 }
 
-void MpiJob::tellFailure(const std::string& text) {
-  if (std::exchange(told_failure_, true)) return;
+void MpiJob::sendFailure(const std::string& text) {
+  if (std::exchange(failure_sent_, true)) return;
   Packer message;
   message.putText(text);
   mailbox.send(0, Note::kFailed, message.take());
 }
 
-void MpiJob::sayBye() {
+void MpiJob::sendShutdown() {
   said_bye_ = true;
   mailbox.send(0, Note::kBye);
 }

@@ -32,12 +32,12 @@ class MpiJob {
   Mailbox mailbox;
 
  private:
-  void letGo();
+  void release();
   void refuse();
-  void tellFailure(const std::string& text);
-  void sayBye();
+  void sendFailure(const std::string& text);
+  void sendShutdown();
 
-  bool told_failure_ = false;
+  bool failure_sent_ = false;
   bool said_bye_ = false;
 };
 

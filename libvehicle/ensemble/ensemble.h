@@ -99,7 +99,7 @@ using StoredBlockSink = std::function<void(const StoredBlock&)>;
 [[nodiscard]] EnsembleResult runEnsemble(std::span<const EnsembleDesign> designs, const Input& rail,
                                          const EnsembleRun& run, const StoredBlockSink& store = {});
 
-/// The same with a rail for each design, where speed or wheel positions differ. The rails may differ in segments, kinks
+/// The same with a rail for each design, where speed or wheel positions differ. The rails may differ in segments, breakpoints
 /// and length, but an output step must be cut into the same number of points (ensembleCut()); designs that point to the
 /// same Input share its preparation.
 /// The rail is computed in the lanes, so the last bits differ from those of the other overload.

@@ -16,7 +16,7 @@ constexpr int kStepsPerSeed = 512;
 // Rows of LaneRail::time.
 constexpr std::size_t kAnchor = 0, kHalf = 1, kCount = 2, kIncrement = 3;
 
-int stretchesPerSeed(int steps) { return (kStepsPerSeed + steps - 1) / steps; }
+int intervalesPerSeed(int steps) { return (kStepsPerSeed + steps - 1) / steps; }
 
 }  // namespace
 
@@ -28,18 +28,18 @@ LanePlan::LanePlan(const Input& rail, const Schedule& schedule, FixedStep step)
     looks.emplace_back(schedule, part);
     if (part.counts) measured += part.end - part.begin;
     for (std::size_t own = 0; own < part.count;) {
-      const std::size_t index = part.first_stretch + own;
+      const std::size_t index = part.first_interval + own;
       const StepGrid grid = stepGridAt(schedule, index, step);
       Piece piece;
       piece.segment = part.segment;
-      piece.begin = schedule.stretches()[index].begin;
+      piece.begin = schedule.intervales()[index].begin;
       piece.h = grid.h;
       piece.steps = grid.steps;
-      piece.stretches = static_cast<int>(grid.count);
+      piece.intervales = static_cast<int>(grid.count);
       piece.part = i;
       piece.first = own;
       piece.whole = part.finer == 1 && schedule.wholeFrom(index) > 0 && grid.steps == whole_steps &&
-                    endsOnPoint(piece, piece.stretches - 1);
+                    endsOnPoint(piece, piece.intervales - 1);
       own += grid.count;
       piece.ends_part = own == part.count;
       pieces.push_back(piece);
@@ -51,15 +51,15 @@ LanePlan::LanePlan(const Input& rail, const Schedule& schedule, FixedStep step)
   points = end.last_regular >= 0 ? end.last_regular + 1 : static_cast<int>(last / end.finer) + 1;
 }
 
-bool LanePlan::endsOnPoint(const Piece& piece, int stretch) const {
+bool LanePlan::endsOnPoint(const Piece& piece, int interval) const {
   const Schedule::Part& part = parts[piece.part];
-  const std::size_t own = piece.first + static_cast<std::size_t>(stretch);
+  const std::size_t own = piece.first + static_cast<std::size_t>(interval);
   if (own + 1 == part.count) return part.last_regular >= 0;
   return (part.first + static_cast<std::int64_t>(own)) % part.finer == 0;
 }
 
 Look<double> LaneRun::Lane::lookAfter(int further) const {
-  return plan->looks[now().part].at(now().first + static_cast<std::size_t>(stretch + further) + 1);
+  return plan->looks[now().part].at(now().first + static_cast<std::size_t>(interval + further) + 1);
 }
 
 LaneRun::LaneRun(std::span<const LanePlan* const> plans, std::span<const FlatParameters* const> vehicles)
@@ -143,7 +143,7 @@ void LaneRun::seed(std::size_t lane, double t) {
 // The piece that the lane has arrived at.
 void LaneRun::enter(std::size_t index, bool new_segment) {
   Lane& lane = lanes_[index];
-  lane.stretch = 0;
+  lane.interval = 0;
   if (lane.over()) return;
   const LanePlan::Piece& piece = lane.now();
   if (new_segment) loadSegment(index, piece.segment);
@@ -172,8 +172,8 @@ int LaneRun::commonIntervals() const {
   for (const Lane& lane : lanes_) {
     if (lane.over()) continue;
     if (!lane.now().whole) return 0;
-    const int to_seed = stretchesPerSeed(lane.now().steps);
-    most = std::min({most, lane.now().stretches - lane.stretch, to_seed - lane.stretch % to_seed});
+    const int to_seed = intervalesPerSeed(lane.now().steps);
+    most = std::min({most, lane.now().intervales - lane.interval, to_seed - lane.interval % to_seed});
   }
   return most;
 }
@@ -213,7 +213,7 @@ void LaneRun::lookAlone() {
   kernels_->runLanes(*block_, *choice_, rail_, leg);
 }
 
-// The lane is behind the last stretch of its piece.
+// The lane is behind the last interval of its piece.
 void LaneRun::nextPiece(std::size_t index) {
   Lane& lane = lanes_[index];
   const int segment = lane.now().segment;
@@ -236,7 +236,7 @@ void LaneRun::walkUniform(int intervals) {
   }
   if (together > 0) meet(steps, together);
   if (!ends) {
-    for (Lane& lane : lanes_) lane.stretch += lane.over() ? 0 : intervals;
+    for (Lane& lane : lanes_) lane.interval += lane.over() ? 0 : intervals;
     return;
   }
   // The last point is the end of a part for some: seen from before it, then, with all others, from behind.
@@ -253,7 +253,7 @@ void LaneRun::walkUniform(int intervals) {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];
     if (lane.over()) continue;
-    lane.stretch += intervals;
+    lane.interval += intervals;
     if (ending[i] != 0) {
       nextPiece(i);
       common_[i] = lane.over() ? Look<double>{} : lane.lookAtBegin();
@@ -263,13 +263,13 @@ void LaneRun::walkUniform(int intervals) {
   meet(0, 1);
 }
 
-// A lane that has come to the end of a stretch on its way to the next point; `looks_` gets what it alone has to look at.
-void LaneRun::finishStretch(std::size_t index) {
+// A lane that has come to the end of a interval on its way to the next point; `looks_` gets what it alone has to look at.
+void LaneRun::finishInterval(std::size_t index) {
   Lane& lane = lanes_[index];
   const LanePlan::Piece& piece = lane.now();
-  const bool last = lane.stretch + 1 == piece.stretches;
+  const bool last = lane.interval + 1 == piece.intervales;
   const Look<double> look = lane.lookAfter(0);
-  lane.at_point = lane.plan->endsOnPoint(piece, lane.stretch);
+  lane.at_point = lane.plan->endsOnPoint(piece, lane.interval);
   common_[index] = look;
   if (!lane.at_point || (last && piece.ends_part)) setLook(0, index, look);
 }
@@ -300,13 +300,13 @@ void LaneRun::walkMixed() {
     }
     if (finished.empty()) continue;
     clearLooks(1);
-    for (const std::size_t i : finished) finishStretch(i);
+    for (const std::size_t i : finished) finishInterval(i);
     lookAlone();
     clearLooks(1);
     for (const std::size_t i : finished) {
       Lane& lane = lanes_[i];
       const bool ends_part = lane.endsPart(1);
-      if (++lane.stretch < lane.now().stretches) {
+      if (++lane.interval < lane.now().intervales) {
         if (!lane.at_point) lane.left = lane.now().steps;
         continue;
       }
@@ -334,12 +334,12 @@ void LaneRun::walkMixed() {
 void LaneRun::reseed() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];
-    if (lane.over() || lane.stretch == 0) continue;
-    if (lane.stretch == lane.now().stretches) {
+    if (lane.over() || lane.interval == 0) continue;
+    if (lane.interval == lane.now().intervales) {
       nextPiece(i);
-    } else if (lane.stretch % stretchesPerSeed(lane.now().steps) == 0) {
+    } else if (lane.interval % intervalesPerSeed(lane.now().steps) == 0) {
       const LanePlan::Piece& piece = lane.now();
-      seed(i, piece.begin + static_cast<double>(lane.stretch) * piece.steps * piece.h);
+      seed(i, piece.begin + static_cast<double>(lane.interval) * piece.steps * piece.h);
     }
   }
 }

@@ -18,11 +18,11 @@ struct LanePlan {
     int segment = 0;
     double begin = 0.0;  // [s]
     double h = 0.0;      // [s]
-    int steps = 0;       // of a stretch
-    int stretches = 1;
-    bool whole = false;  // stretches are whole steps of the regular grid, each ends on a point of it
+    int steps = 0;       // of a interval
+    int intervales = 1;
+    bool whole = false;  // intervales are whole steps of the regular grid, each ends on a point of it
     std::size_t part = 0;
-    std::size_t first = 0;  // number of its first stretch in that part
+    std::size_t first = 0;  // number of its first interval in that part
     bool ends_part = false;
   };
   const Input* input = nullptr;
@@ -36,8 +36,8 @@ struct LanePlan {
 
   LanePlan(const Input& rail, const Schedule& schedule, FixedStep step);
   [[nodiscard]] double time(int point) const { return input->begin() + point * point_step; }
-  /// Whether a stretch of a piece ends on a point of the regular grid.
-  [[nodiscard]] bool endsOnPoint(const Piece& piece, int stretch) const;
+  /// Whether a interval of a piece ends on a point of the regular grid.
+  [[nodiscard]] bool endsOnPoint(const Piece& piece, int interval) const;
 };
 
 /// Walks the designs of one block over a rail each. Lanes meet at every point of the regular grid; on the way there, one
@@ -59,18 +59,18 @@ class LaneRun {
     const LanePlan* plan = nullptr;
     const FlatParameters* vehicle = nullptr;
     std::size_t piece = 0;
-    int stretch = 0;            // of the piece
-    int left = 0;               // steps of the stretch, within a mixed interval
+    int interval = 0;  // of the piece
+    int left = 0;      // steps of the interval, within a mixed interval
     bool at_point = true;
     std::vector<double> turn;   // (2 F) cos - 1, sin of half a step
     [[nodiscard]] bool over() const { return piece >= plan->pieces.size(); }
     [[nodiscard]] const LanePlan::Piece& now() const { return plan->pieces[piece]; }
-    /// How the sample at the end of the stretch is measured that comes `further` stretches later.
+    /// How the sample at the end of the interval is measured that comes `further` intervales later.
     [[nodiscard]] Look<double> lookAfter(int further) const;
     [[nodiscard]] Look<double> lookAtBegin() const { return plan->looks[now().part].at(0); }
-    /// Whether so many stretches on it is at the end of a part.
-    [[nodiscard]] bool endsPart(int stretches) const {
-      return !over() && now().ends_part && stretch + stretches == now().stretches;
+    /// Whether so many intervales on it is at the end of a part.
+    [[nodiscard]] bool endsPart(int intervales) const {
+      return !over() && now().ends_part && interval + intervales == now().intervales;
     }
   };
 
@@ -81,7 +81,7 @@ class LaneRun {
   [[nodiscard]] int commonIntervals() const;
   void walkUniform(int intervals);
   void walkMixed();
-  void finishStretch(std::size_t lane);
+  void finishInterval(std::size_t lane);
   void nextPiece(std::size_t lane);
   void reseed();
 

@@ -6,22 +6,22 @@ namespace vehicle::ensemble {
 
 namespace {
 
-double lengthOf(const Stretch& stretch) { return stretch.end - stretch.begin; }
+double lengthOf(const Interval& interval) { return interval.end - interval.begin; }
 
 }  // namespace
 
 PartLooks::PartLooks(const Schedule& schedule, const Schedule::Part& part)
     : counts_(part.counts),
-      stretches_(part.count),
-      per_first_(1.0 / lengthOf(schedule.stretches()[part.first_stretch])),
+      intervales_(part.count),
+      per_first_(1.0 / lengthOf(schedule.intervales()[part.first_interval])),
       per_point_(part.cut / schedule.outputStep()),
-      per_last_(1.0 / lengthOf(schedule.stretches()[part.first_stretch + part.count - 1])),
+      per_last_(1.0 / lengthOf(schedule.intervales()[part.first_interval + part.count - 1])),
       weights_(schedule, part) {}
 
 Look<double> PartLooks::at(std::size_t sample) const {
   if (!counts_) return {};
-  const auto per = [&](std::size_t stretch) {
-    return stretch == 0 ? per_first_ : stretch + 1 == stretches_ ? per_last_ : per_point_;
+  const auto per = [&](std::size_t interval) {
+    return interval == 0 ? per_first_ : interval + 1 == intervales_ ? per_last_ : per_point_;
   };
   Look<double> look;
   look.weight = weights_[sample];

@@ -14,13 +14,13 @@ class PartLooks {
  public:
   PartLooks(const Schedule& schedule, const Schedule::Part& part);
 
-  /// @param sample  0: the begin of the part, seen from inside; k: the end of its stretch k - 1
+  /// @param sample  0: the begin of the part, seen from inside; k: the end of its interval k - 1
   [[nodiscard]] Look<double> at(std::size_t sample) const;
-  [[nodiscard]] std::size_t stretches() const { return stretches_; }
+  [[nodiscard]] std::size_t intervales() const { return intervales_; }
 
  private:
   bool counts_;
-  std::size_t stretches_;
+  std::size_t intervales_;
   double per_first_, per_point_, per_last_;  // [1/s]
   SampleWeights weights_;
 };

@@ -16,21 +16,21 @@ SharedRail::SharedRail(const Input& input, const Schedule& schedule, FixedStep s
       schedule_(schedule),
       step_(step),
       first_stored_(first_stored),
-      stretch_(schedule.stretches().begin()),
+      interval_(schedule.intervales().begin()),
       rows_(kBlocksPerPiece * kRowsPerBlock * kRowWidth),
-      // A block ends as many stretches as it has steps at most, each perhaps with two limits; the start comes on top.
+      // A block ends as many intervales as it has steps at most, each perhaps with two limits; the start comes on top.
       samples_((2 * kBlocksPerPiece * static_cast<std::size_t>(kStepsPerBlock) + 2) * kSampleWidth) {}
 
 bool SharedRail::next() {
   legs_.clear();
   rows_used_ = samples_used_ = 0;
-  const Schedule::Iterator end = schedule_.stretches().end();
+  const Schedule::Iterator end = schedule_.intervales().end();
   if (!begun_) {
     begun_ = true;
-    const Stretch start = *stretch_;
+    const Interval start = *interval_;
     beginPart(start.segment, start.begin, 0);
   }
-  for (int block = 0; block < kBlocksPerPiece && !(stretch_ == end); ++block) addBlock();
+  for (int block = 0; block < kBlocksPerPiece && !(interval_ == end); ++block) addBlock();
   return !legs_.empty();
 }
 
@@ -44,33 +44,33 @@ void SharedRail::addSample(int segment, double t, const Look<double>& look) {
   legs_.back().look = look;
 }
 
-// The part of the stretch at hand: its first sample, the right-hand limit where the rail breaks.
+// The part of the interval at hand: its first sample, the right-hand limit where the rail breaks.
 void SharedRail::beginPart(int segment, double t, int regular) {
-  part_.emplace(schedule_, stretch_.part());
+  part_.emplace(schedule_, interval_.part());
   legs_.push_back({});
   addSample(segment, t, part_->at(0));
   if (regular >= first_stored_) legs_.back().stored = regular - first_stored_;
 }
 
-void SharedRail::endStretch(const Stretch& stretch) {
-  const Schedule::Part& part = stretch_.part();
-  const std::size_t own = stretch_.index() - part.first_stretch + 1;
+void SharedRail::endInterval(const Interval& interval) {
+  const Schedule::Part& part = interval_.part();
+  const std::size_t own = interval_.index() - part.first_interval + 1;
   ++number_;
-  addSample(stretch.segment, stretch.end, part_->at(own));
-  ++stretch_;
+  addSample(interval.segment, interval.end, part_->at(own));
+  ++interval_;
   const bool ends_part = own == part.count;
-  if (ends_part && !(stretch_ == schedule_.stretches().end())) {
-    beginPart(stretch.next, stretch.end, stretch.regular);
-  } else if (stretch.regular >= first_stored_) {
-    legs_.back().stored = stretch.regular - first_stored_;
+  if (ends_part && !(interval_ == schedule_.intervales().end())) {
+    beginPart(interval.next, interval.end, interval.regular);
+  } else if (interval.regular >= first_stored_) {
+    legs_.back().stored = interval.regular - first_stored_;
   }
 }
 
-// The next block of the grid, cut where stretches end.
+// The next block of the grid, cut where intervales end.
 void SharedRail::addBlock() {
   if (done_ == 0) {
-    grid_begin_ = *stretch_;
-    grid_ = stepGridAt(schedule_, stretch_.index(), step_);
+    grid_begin_ = *interval_;
+    grid_ = stepGridAt(schedule_, interval_.index(), step_);
     left_ = grid_.steps;
   }
   const int total = grid_.steps * static_cast<int>(grid_.count);
@@ -91,8 +91,8 @@ void SharedRail::addBlock() {
     left_ -= steps;
     steps_ += steps;
     row += 2 * static_cast<std::size_t>(steps) * kRowWidth;
-    if (left_ > 0) break;  // the block ends inside a stretch
-    endStretch(*stretch_);
+    if (left_ > 0) break;  // the block ends inside a interval
+    endInterval(*interval_);
     left_ = grid_.steps;
   }
   if (done_ == total) done_ = 0;

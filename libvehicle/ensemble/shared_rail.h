@@ -25,7 +25,7 @@ class SharedRail {
  private:
   void addSample(int segment, double t, const Look<double>& look);
   void beginPart(int segment, double t, int regular);
-  void endStretch(const Stretch& stretch);
+  void endInterval(const Interval& interval);
   void addBlock();
 
   const Input& input_;
@@ -34,13 +34,13 @@ class SharedRail {
   int first_stored_;
 
   bool begun_ = false;
-  Schedule::Iterator stretch_;     // the one that is being run
-  Stretch grid_begin_;             // the first of the grid
-  std::optional<PartLooks> part_;  // the one of the stretch
+  Schedule::Iterator interval_;    // the one that is being run
+  Interval grid_begin_;            // the first of the grid
+  std::optional<PartLooks> part_;  // the one of the interval
   int number_ = 0;                 // of the next sample
   StepGrid grid_;
   int done_ = 0;             // steps of the grid
-  int left_ = 0;             // steps of the stretch
+  int left_ = 0;             // steps of the interval
   long steps_ = 0;
 
   std::vector<double> rows_;     // (half steps x 8)

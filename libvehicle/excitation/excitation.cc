@@ -311,10 +311,10 @@ Input inputOf(const Scenario& scenario, const Topology& topology, double speed) 
                       : trackInput(*scenario.track, topology, speed, end, scenario.run.output_step);
 }
 
-std::vector<double> kinksOf(const Input& input) {
-  std::vector<double> kinks;
-  for (int i = 1; i < input.segments(); ++i) kinks.push_back(input.segment(i).begin);
-  return kinks;
+std::vector<double> breakpointsOf(const Input& input) {
+  std::vector<double> breakpoints;
+  for (int i = 1; i < input.segments(); ++i) breakpoints.push_back(input.segment(i).begin);
+  return breakpoints;
 }
 
 }  // namespace vehicle

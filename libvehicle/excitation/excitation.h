@@ -8,18 +8,18 @@
 
 namespace vehicle {
 
-/// Most memory that the coefficients of an input may take [byte]. Every wheelset meets the kinks of a rail at its own
+/// Most memory that the coefficients of an input may take [byte]. Every wheelset meets the breakpoints of a rail at its own
 /// time, so their number grows with the square of a train's length.
 inline constexpr double kMostInputBytes = 1024.0 * 1024.0 * 1024.0;
 
 /// The rail (or rig) of a scenario as the input of the vehicle's wheelsets, in the order of topology.wheelsets,
-/// from t = 0 to the end of the run (duration, or distance / speed), cut exactly at its kinks.
+/// from t = 0 to the end of the run (duration, or distance / speed), cut exactly at its breakpoints.
 ///
-/// Wheel j reads the profile at s = V t - (x_lead - x_j); x_lead is the largest x of all wheelsets. Kinks: a
+/// Wheel j reads the profile at s = V t - (x_lead - x_j); x_lead is the largest x of all wheelsets. Breakpoints: a
 /// wheel reaches s = 0 of an `onset` profile, the end of a fade-in, the start or end of a dip or ramp, as far as
-/// that happens within the run. Kinks of several wheels within 1e-9 of an output step of each other are one;
+/// that happens within the run. Breakpoints of several wheels within 1e-9 of an output step of each other are one;
 /// within 1e-9 of an output step of an output sample they are that sample, i * output_step.
-/// A fade-in acts on harmonics only. A rig has no kinks: its sines have always been there.
+/// A fade-in acts on harmonics only. A rig has no breakpoints: its sines have always been there.
 ///
 /// @param speed  [m/s] > 0; the scenario's own or one given on the command line
 /// @throws InvalidInput  for an onset whose height jumps (names fade_in="50 m" as the remedy), a feature that is
@@ -29,7 +29,7 @@ inline constexpr double kMostInputBytes = 1024.0 * 1024.0 * 1024.0;
 /// @throws std::invalid_argument  unless speed is finite and > 0 (where a track or a distance needs it)
 [[nodiscard]] Input inputOf(const Scenario& scenario, const Topology& topology, double speed);
 
-/// Times of the kinks of an input [s]: the borders between its segments, ends of the run not included.
-[[nodiscard]] std::vector<double> kinksOf(const Input& input);
+/// Times of the breakpoints of an input [s]: the borders between its segments, ends of the run not included.
+[[nodiscard]] std::vector<double> breakpointsOf(const Input& input);
 
 }  // namespace vehicle

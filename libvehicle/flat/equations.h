@@ -88,7 +88,7 @@ template <class T>
   return frontBogieBounce(p, s, frontRailForce(p, rail));
 }
 
-/// (5) bounce of the rear bogie [m/s^2]. Paper, mended: mb z2'' - bk (zk' - z2' - ak phi') - ck (zk - z2 - ak phi)
+/// (5) bounce of the rear bogie [m/s^2]. Paper, corrected: mb z2'' - bk (zk' - z2' - ak phi') - ck (zk - z2 - ak phi)
 ///     + 2 bb z2' + 2 cb z2 = bb (eta3' + eta4') + cb (eta3 + eta4)
 /// @param rail_force  rearRailForce()
 template <class T>

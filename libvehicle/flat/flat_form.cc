@@ -89,7 +89,7 @@ class PaperForm final : public FlatForm {
 
 }  // namespace
 
-ProblemList flatMisfits(const Topology& topology, FlatVariant variant) {
+ProblemList flatUnsupported(const Topology& topology, FlatVariant variant) {
   ProblemList problems;
   if (topology.units > 1 && variant != FlatVariant::kConsistent) {
     problems.add({topology.origin, "<train name=\"" + topology.name + "\">",
@@ -105,7 +105,7 @@ ProblemList flatMisfits(const Topology& topology, FlatVariant variant) {
 }
 
 std::unique_ptr<FlatForm> buildFlatForm(const CompiledModel& model, FlatVariant variant) {
-  ProblemList problems = flatMisfits(model.topology, variant);
+  ProblemList problems = flatUnsupported(model.topology, variant);
   if (!problems.empty()) throw InvalidInput(std::move(problems));
   const FlatLayout layout = readLayout(model.topology).layout;
   if (variant != FlatVariant::kConsistent) return buildPrintedForm(model, layout, variant);

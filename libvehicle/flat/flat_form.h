@@ -22,7 +22,7 @@ enum class FlatVariant {
 /// carbody (z, pitch) on two bogies (z) by one suspension each, each bogie on two wheelsets that follow the
 /// rail; front and rear may differ in everything. The printed variants also need the paper's symmetry and no static
 /// loads at heights.
-[[nodiscard]] ProblemList flatMisfits(const Topology& topology, FlatVariant variant);
+[[nodiscard]] ProblemList flatUnsupported(const Topology& topology, FlatVariant variant);
 
 /// The paper's equations for one vehicle. States, channels and columns are in the vehicle's own order, as in every
 /// form; inside, the equations count parts from the front. Immutable: one object serves any number of threads.
@@ -44,7 +44,7 @@ class FlatForm : public System {
   [[nodiscard]] virtual const std::array<int, 4>& wheelOrder() const = 0;
 };
 
-/// @throws InvalidInput with flatMisfits()
+/// @throws InvalidInput with flatUnsupported()
 [[nodiscard]] std::unique_ptr<FlatForm> buildFlatForm(const CompiledModel& model,
                                                       FlatVariant variant = FlatVariant::kConsistent);
 

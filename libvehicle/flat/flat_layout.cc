@@ -45,16 +45,16 @@ class Reader {
   }
 
  private:
-  void misfit(const Place& place, const char* element, const std::string& name, const std::string& message,
-              const std::string& remedy = kOtherForm) {
+  void unsupported(const Place& place, const char* element, const std::string& name, const std::string& message,
+                   const std::string& remedy = kOtherForm) {
     reading_.problems.add({place, pathOfPart(element, name), message, remedy});
   }
-  void misfitBody(int body, const std::string& message, const std::string& remedy = kOtherForm) {
-    misfit(topology_.bodies[at(body)].origin, "body", topology_.bodies[at(body)].name, message, remedy);
+  void reportBody(int body, const std::string& message, const std::string& remedy = kOtherForm) {
+    unsupported(topology_.bodies[at(body)].origin, "body", topology_.bodies[at(body)].name, message, remedy);
   }
-  void misfitSuspension(int suspension, const std::string& message) {
-    misfit(topology_.suspensions[at(suspension)].origin, "suspension", topology_.suspensions[at(suspension)].name,
-           message);
+  void reportSuspension(int suspension, const std::string& message) {
+    unsupported(topology_.suspensions[at(suspension)].origin, "suspension", topology_.suspensions[at(suspension)].name,
+                message);
   }
 
   void sortSuspensions() {
@@ -78,7 +78,7 @@ class Reader {
       if (reading_.layout.carbody < 0) {
         reading_.layout.carbody = static_cast<int>(b);
       } else {
-        misfitBody(static_cast<int>(b),
+        reportBody(static_cast<int>(b),
                    fmt::format("is a second carbody beside \"{}\"; the form flat computes one carbody",
                                topology_.bodies[at(reading_.layout.carbody)].name));
       }
@@ -91,13 +91,13 @@ class Reader {
     }
     const TopologyBody& carbody = topology_.bodies[at(reading_.layout.carbody)];
     if (carbody.z_index < 0 || carbody.pitch_index < 0) {
-      misfitBody(reading_.layout.carbody,
+      reportBody(reading_.layout.carbody,
                  fmt::format("moves in {} only; the form flat computes z and pitch of the carbody",
                              carbody.z_index < 0 ? "pitch" : "z"),
                  "take the form matrix, or write motion=\"z pitch\" with a pitch_inertia");
     }
     for (const int s : on_wheels_[at(reading_.layout.carbody)]) {
-      misfitSuspension(
+      reportSuspension(
           s,
           fmt::format("joins the carbody \"{}\" to a wheelset; the form flat computes carbodies that stand on bogies",
                       carbody.name));
@@ -114,12 +114,12 @@ class Reader {
       if (carried) {
         bogies.push_back(static_cast<int>(b));
       } else if (static_cast<int>(b) != reading_.layout.carbody && (under_[b].empty() || !over_[b].empty())) {
-        misfitBody(static_cast<int>(b),
+        reportBody(static_cast<int>(b),
                    "is neither the carbody nor a bogie under it; the form flat computes no other body");
       }
     }
     if (bogies.size() != 2) {
-      misfitBody(reading_.layout.carbody,
+      reportBody(reading_.layout.carbody,
                  fmt::format("stands on {} {} ({}); the form flat computes two", bogies.size(),
                              bogies.size() == 1 ? "bogie" : "bogies", namesOf(topology_.bodies, bogies)));
     }
@@ -129,18 +129,18 @@ class Reader {
   void readBogie(int index, std::size_t place) {
     const TopologyBody& bogie = topology_.bodies[at(index)];
     if (bogie.pitch_index >= 0) {
-      misfitBody(index, "has a pitch motion; the form flat computes the bounce of a bogie and no pitch",
+      reportBody(index, "has a pitch motion; the form flat computes the bounce of a bogie and no pitch",
                  "take the form matrix, which computes both");
     } else if (bogie.z_index < 0) {
-      misfitBody(index, "has no z motion; the form flat computes bogies that move in z");
+      reportBody(index, "has no z motion; the form flat computes bogies that move in z");
     }
     const std::vector<int>& secondaries = over_[at(index)];
     if (secondaries.size() != 1) {
-      misfitBody(index, fmt::format("carries bodies by {} suspensions ({}); the form flat computes one for each bogie",
+      reportBody(index, fmt::format("carries bodies by {} suspensions ({}); the form flat computes one for each bogie",
                                     secondaries.size(), namesOf(topology_.suspensions, secondaries)));
     }
     for (const int s : under_[at(index)]) {
-      misfitSuspension(
+      reportSuspension(
           s,
           fmt::format("joins the bogie \"{}\" to another body; the form flat computes bogies that stand on wheelsets",
                       bogie.name));
@@ -148,14 +148,14 @@ class Reader {
     std::vector<int> primaries = on_wheels_[at(index)];
     const auto wheel = [&](int s) { return topology_.suspensions[at(s)].lower_wheelset; };
     if (primaries.size() != 2) {
-      misfitBody(
+      reportBody(
           index,
           fmt::format("stands on wheelsets by {} suspension{} ({}); the form flat computes two for each bogie",
                       primaries.size(), primaries.size() == 1 ? "" : "s", namesOf(topology_.suspensions, primaries)));
       return;
     }
     if (wheel(primaries[0]) == wheel(primaries[1])) {
-      misfitBody(index,
+      reportBody(index,
                  fmt::format("stands on the wheelset \"{}\" twice; the form flat computes two wheelsets for each bogie",
                              topology_.wheelsets[at(wheel(primaries[0]))].name));
       return;
@@ -178,7 +178,7 @@ class Reader {
       const TopologyWheelset& wheelset = topology_.wheelsets[j];
       const Place& place = wheelset.origin;
       if (wheelset.z_index >= 0) {
-        misfit(
+        unsupported(
             place, "wheelset", wheelset.name,
             "has mass and contact, and so a motion of its own; the form flat computes wheelsets that follow the rail",
             "take the form matrix, or remove the contact");
@@ -191,11 +191,12 @@ class Reader {
         }
       }
       if (carried.size() != 1) {
-        misfit(place, "wheelset", wheelset.name,
-               carried.empty()
-                   ? std::string("carries nothing; the form flat computes wheelsets that carry one bogie each")
-                   : fmt::format("carries {} bodies ({}); the form flat computes wheelsets that carry one bogie each",
-                                 carried.size(), namesOf(topology_.bodies, carried)));
+        unsupported(
+            place, "wheelset", wheelset.name,
+            carried.empty()
+                ? std::string("carries nothing; the form flat computes wheelsets that carry one bogie each")
+                : fmt::format("carries {} bodies ({}); the form flat computes wheelsets that carry one bogie each",
+                              carried.size(), namesOf(topology_.bodies, carried)));
       }
     }
   }

@@ -10,7 +10,8 @@ namespace {
 
 // inertia y'' of a printed variant would not be that of (3.4)-(3.7).
 const FlatForm& splittable(const FlatForm& form) {
-  if (const std::string misfit = splitMisfit(form); !misfit.empty()) throw std::invalid_argument(misfit);
+  if (const std::string unsupported = splitUnsupported(form); !unsupported.empty())
+    throw std::invalid_argument(unsupported);
   return form;
 }
 
@@ -35,7 +36,7 @@ std::optional<StateSpace> FlatHalf::linear() const {
   return matrices;
 }
 
-std::string splitMisfit(const FlatForm& form) {
+std::string splitUnsupported(const FlatForm& form) {
   if (form.rhs() == nullptr) return "bounce and pitch are independent in the form flat only; this is a printed variant";
   const FlatParameters& v = form.parameters();
   std::string pairs;

@@ -72,12 +72,12 @@ class FlatHalf final : public System {
 
 /// Why bounce and pitch of this vehicle do not part: the pairs of parameters of front and rear, and of the four
 /// primaries, that are not the same bit for bit; or that the form is a printed variant. Empty if they do.
-[[nodiscard]] std::string splitMisfit(const FlatForm& form);
+[[nodiscard]] std::string splitUnsupported(const FlatForm& form);
 
 /// The symmetric vehicle as two systems that know nothing of each other, and the ways there and back.
 class FlatSplit {
  public:
-  /// @throws std::invalid_argument with splitMisfit()
+  /// @throws std::invalid_argument with splitUnsupported()
   explicit FlatSplit(const FlatForm& form);
 
   [[nodiscard]] const FlatHalf& bounce() const { return bounce_; }

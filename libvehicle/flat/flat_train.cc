@@ -186,8 +186,8 @@ class CoupledVehicles final : public FlatTrain {
 
 }  // namespace
 
-ProblemList flatSystemMisfits(const Topology& topology) {
-  if (!isTrain(topology)) return flatMisfits(topology, FlatVariant::kConsistent);
+ProblemList flatSystemUnsupported(const Topology& topology) {
+  if (!isTrain(topology)) return flatUnsupported(topology, FlatVariant::kConsistent);
   return readTrainLayout(topology).problems;
 }
 

@@ -22,12 +22,12 @@ class FlatTrain : public System {
 };
 
 /// Why the form "flat" cannot represent this vehicle or train, one problem an element; empty if it can. A train of it
-/// is several vehicles that flatMisfits() would accept, each coupled to its neighbours at most, by one suspension from
+/// is several vehicles that flatUnsupported() would accept, each coupled to its neighbours at most, by one suspension from
 /// carbody to carbody.
-[[nodiscard]] ProblemList flatSystemMisfits(const Topology& topology);
+[[nodiscard]] ProblemList flatSystemUnsupported(const Topology& topology);
 
 /// The form "flat": a FlatForm of one vehicle, a FlatTrain of several.
-/// @throws InvalidInput with flatSystemMisfits()
+/// @throws InvalidInput with flatSystemUnsupported()
 [[nodiscard]] std::unique_ptr<System> buildFlatSystem(const CompiledModel& model);
 
 /// @throws InvalidInput as buildFlatSystem()

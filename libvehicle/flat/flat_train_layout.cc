@@ -55,19 +55,20 @@ void readCouplings(const Topology& topology, FlatTrainReading& reading) {
   for (std::size_t s = 0; s < couplings.size(); ++s) {
     if (couplings[s] == 0) continue;
     const TopologySuspension& coupling = topology.suspensions[s];
-    const auto misfit = [&](std::string message) {
+    const auto unsupported = [&](std::string message) {
       reading.problems.add({coupling.origin, fmt::format("<suspension name=\"{}\">", coupling.name), std::move(message),
                             "take the form matrix, which computes any train"});
     };
     const auto [ahead, behind] = std::minmax(place_of.at(coupling.upper), place_of.at(coupling.lower_body));
     if (behind != ahead + 1) {
-      misfit(fmt::format(
+      unsupported(fmt::format(
           "joins \"{}\" to \"{}\", which do not follow each other; the form flat computes couplings between "
           "neighbours",
           topology.bodies[at(coupling.upper)].name, topology.bodies[at(coupling.lower_body)].name));
     } else if (layout.couplings[ahead] >= 0) {
-      misfit(fmt::format("stands beside \"{}\" between the same vehicles; the form flat computes one coupling there",
-                         topology.suspensions[at(layout.couplings[ahead])].name));
+      unsupported(
+          fmt::format("stands beside \"{}\" between the same vehicles; the form flat computes one coupling there",
+                      topology.suspensions[at(layout.couplings[ahead])].name));
     } else {
       layout.couplings[ahead] = static_cast<int>(s);
     }

@@ -34,7 +34,7 @@ template <class T>
 }
 
 /// (4) as printed: the spring has the index of the other bogie and the primary's coefficient, errata rows 3 and 4.
-/// @param inv_inertia  inv_cb to the letter (row 2); inv_mb where only the inertia is mended
+/// @param inv_inertia  inv_cb to the letter (row 2); inv_mb where only the inertia is corrected
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T printedFrontBogieBounce(const PaperCoefficients<T>& p, const FlatState<T>& s,
                                                                    const FlatRail<T>& rail, T inv_inertia) {

@@ -11,7 +11,7 @@
 
 namespace vehicle {
 
-/// Kink-exact adaptive run of a Dopri5: steps end on the borders of the input's segments and nowhere else by force;
+/// Breakpoint-exact adaptive run of a Dopri5: steps end on the borders of the input's segments and nowhere else by force;
 /// the samples between come from the dense output, so a fine output costs no steps.
 ///
 /// @tparam Stepper  Dopri5 over some right-hand side and size
@@ -31,8 +31,8 @@ class AdaptiveRun {
     const double latest = std::max(std::abs(t_), std::abs(parts.back().end));
     least_step_ = 16.0 * std::numeric_limits<double>::epsilon() * latest;
     statistics_.stopped = !observe_(0, parts.front().segment, t_, sample_);
-    const Schedule::Stretches stretches = schedule.stretches();
-    auto next = stretches.begin();
+    const Schedule::Intervales intervales = schedule.intervales();
+    auto next = intervales.begin();
     for (std::size_t i = 0; i < parts.size() && !statistics_.stopped;) {
       std::size_t last = i;
       while (last + 1 < parts.size() && parts[last + 1].segment == parts[i].segment) ++last;
@@ -43,11 +43,11 @@ class AdaptiveRun {
   }
 
  private:
-  // All stretches of one segment; sample_ holds the state at its begin, and at its end when this returns.
+  // All intervales of one segment; sample_ holds the state at its begin, and at its end when this returns.
   // @param next  the first of them; behind the last when this returns
   void runSegment(Schedule::Iterator& next, double end) {
-    Stretch stretch = *next;
-    const int segment = stretch.segment;
+    Interval interval = *next;
+    const int segment = interval.segment;
     input_.evaluate(segment, t_, inputRow(0));
     stepper_.begin(sample_.data(), inputRow(0).data());
     ++statistics_.evaluations;
@@ -63,19 +63,19 @@ class AdaptiveRun {
       const double h = wanted >= 0.99 * remaining ? remaining : std::min(wanted, 0.5 * std::max(remaining, wanted));
       if (!attempt(segment, h)) continue;
       const bool arrived = h == remaining;
-      while (stretch.end < end && (arrived || stretch.end <= t_ + h)) {
-        stepper_.dense(std::min(1.0, (stretch.end - t_) / h), sample_.data());
-        if (!show(stretch)) return;
+      while (interval.end < end && (arrived || interval.end <= t_ + h)) {
+        stepper_.dense(std::min(1.0, (interval.end - t_) / h), sample_.data());
+        if (!show(interval)) return;
         ++next;
-        stretch = *next;
+        interval = *next;
       }
       stepper_.accept();
       t_ = arrived ? end : t_ + h;
-      // A step cut short by the kink says little about the size that the tolerance would have allowed.
+      // A step cut short by the breakpoint says little about the size that the tolerance would have allowed.
       next_step_ = h < next_step_ ? std::max(next_step_, after_) : after_;
     }
     std::copy_n(stepper_.state(), stepper_.size(), sample_.begin());
-    show(stretch);
+    show(interval);
     ++next;
   }
 
@@ -130,9 +130,9 @@ class AdaptiveRun {
     return std::max(std::min(step, 100.0 * trial), 2.0 * least_step_);
   }
 
-  bool show(const Stretch& stretch) {
-    if (stretch.sample < 0) return true;
-    statistics_.stopped = !observe_(stretch.sample, stretch.next, stretch.end, sample_);
+  bool show(const Interval& interval) {
+    if (interval.sample < 0) return true;
+    statistics_.stopped = !observe_(interval.sample, interval.next, interval.end, sample_);
     return !statistics_.stopped;
   }
 

@@ -13,7 +13,7 @@ namespace vehicle {
 /// One step of Dormand-Prince 5(4) with error estimate and dense output; who chooses the steps is adaptive_run.h.
 ///
 /// Six evaluations a step: the last stage is the first of the next one (begin() makes the very first and the first
-/// after a kink, where f jumps). Owns its stage vectors: stepping never allocates.
+/// after a breakpoint, where f jumps). Owns its stage vectors: stepping never allocates.
 /// Source: tableau.h, kDopri5.
 ///
 /// @tparam Rhs  callable as rhs(const double* x, const double* u, double* dx)

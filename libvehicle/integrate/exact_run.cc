@@ -27,12 +27,12 @@ StateSpace matricesForExact(const System& system, const Input& input, std::span<
 Statistics runExact(const System& system, const Input& input, const Schedule& schedule, std::span<const double> x0,
                     const Observer& observe) {
   ExactRun run(matricesForExact(system, input, x0), input, schedule, x0);
-  const Stretch first = schedule.stretches().front();
+  const Interval first = schedule.intervales().front();
   if (!observe(0, first.segment, first.begin, run.state())) return {.stopped = true};
   bool stopped = false;
-  Statistics statistics = run.run([&](const Stretch& stretch, std::span<const double> x) {
-    requireFinite(kName, stretch.end, x);
-    if (stretch.sample >= 0) stopped = !observe(stretch.sample, stretch.next, stretch.end, x);
+  Statistics statistics = run.run([&](const Interval& interval, std::span<const double> x) {
+    requireFinite(kName, interval.end, x);
+    if (interval.sample >= 0) stopped = !observe(interval.sample, interval.next, interval.end, x);
     return !stopped;
   });
   statistics.stopped = stopped;

@@ -27,12 +27,12 @@ class ExactRun {
         u_(2 * input.channels()),
         slope_(x_.size()) {}
 
-  /// @param arrive  arrive(const Stretch&, std::span<const double> x) at the end of every stretch; false ends the run
+  /// @param arrive  arrive(const Interval&, std::span<const double> x) at the end of every interval; false ends the run
   template <class Arrive>
   Statistics run(Arrive arrive) {
-    for (const Stretch stretch : schedule_.stretches()) {
-      move(stretch);
-      if (!arrive(stretch, state())) break;
+    for (const Interval interval : schedule_.intervales()) {
+      move(interval);
+      if (!arrive(interval, state())) break;
     }
     return statistics_;
   }
@@ -40,23 +40,23 @@ class ExactRun {
   [[nodiscard]] std::span<const double> state() const { return {x_.data(), static_cast<std::size_t>(x_.size())}; }
 
  private:
-  void move(const Stretch& stretch) {
-    const InputSegment& segment = input_.segment(stretch.segment);
-    if (stretch.segment != segment_) enter(stretch.segment);
-    const double length = stretch.end - stretch.begin;
-    ExactPropagator& propagator = propagatorFor(length, stretch.whole);
+  void move(const Interval& interval) {
+    const InputSegment& segment = input_.segment(interval.segment);
+    if (interval.segment != segment_) enter(interval.segment);
+    const double length = interval.end - interval.begin;
+    ExactPropagator& propagator = propagatorFor(length, interval.whole);
     if (&propagator != seeded_ || turns_ == kReseed) {
-      propagator.seed(stretch.begin - segment.begin, oscillators_.data());
+      propagator.seed(interval.begin - segment.begin, oscillators_.data());
       seeded_ = &propagator;
       turns_ = 0;
     }
     const PolynomialGain* gain = polynomial_ ? &gainFor(propagator.length()) : nullptr;
     propagator.propagate(x_.data(), oscillators_.data());
-    if (gain != nullptr) gain->add(segment, stretch.begin - segment.begin, x_.data());
+    if (gain != nullptr) gain->add(segment, interval.begin - segment.begin, x_.data());
     ++turns_;
     ++statistics_.steps;
     lag_ += length - propagator.length();
-    catchUp(stretch);
+    catchUp(interval);
   }
 
   void enter(int index) {
@@ -73,9 +73,9 @@ class ExactRun {
   // Lengths come as differences of instants and carry the rounding of the clock. A propagator is made for the exact
   // output step where that is meant, else for the first length met. The difference would add up to a clock that
   // runs late, which the fastest mode would see at once: x moves on by it, to first order, before it matters.
-  void catchUp(const Stretch& stretch) {
-    if (std::abs(lag_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(stretch.end)) return;
-    input_.evaluate(stretch.segment, stretch.end, {u_.data(), static_cast<std::size_t>(u_.size())});
+  void catchUp(const Interval& interval) {
+    if (std::abs(lag_) <= 4.0 * std::numeric_limits<double>::epsilon() * std::abs(interval.end)) return;
+    input_.evaluate(interval.segment, interval.end, {u_.data(), static_cast<std::size_t>(u_.size())});
     slope_.noalias() = matrices_.A * x_;
     slope_.noalias() += matrices_.B * u_;
     x_ += lag_ * slope_;

@@ -8,20 +8,20 @@
 
 namespace vehicle {
 
-/// Number of equal steps of a stretch: the fewest that are not above step.step, then each cut in step.refine.
+/// Number of equal steps of a interval: the fewest that are not above step.step, then each cut in step.refine.
 /// A length that exceeds a multiple of the step by rounding alone does not cost one more.
 /// @param length  [s] > 0
 /// @throws std::invalid_argument unless step.step > 0 and finite, step.refine >= 1, and the number is below 1e9
 [[nodiscard]] int stepsOf(double length, FixedStep step);
 
-/// Stretches first .. first+count-1 of a schedule, run as one grid of equal steps.
+/// Intervales first .. first+count-1 of a schedule, run as one grid of equal steps.
 struct StepGrid {
   std::size_t count = 1;
-  int steps = 0;   // of each stretch
+  int steps = 0;   // of each interval
   double h = 0.0;  // [s]
 };
 
-/// The longest grid that begins with that stretch. Stretches of one whole output step in one segment of the input
+/// The longest grid that begins with that interval. Intervales of one whole output step in one segment of the input
 /// share a grid: the sine and cosine that seed the input are then paid once a block and not once a sample.
 [[nodiscard]] StepGrid stepGridAt(const Schedule& schedule, std::size_t first, FixedStep step);
 
@@ -29,10 +29,10 @@ struct StepGrid {
 /// input is seeded anew and the cut leaves no trace in the numbers.
 inline constexpr int kStepsPerBlock = 2 * Input::kBlock;
 
-/// Kink-exact run of a stepper with steps of equal length within each stretch of the schedule.
+/// Breakpoint-exact run of a stepper with steps of equal length within each interval of the schedule.
 ///
-/// Every stretch lies inside one segment of the input and is run with that segment's formula to its very end, so
-/// no step sees a kink and the limits at both ends are the one-sided ones. The input is asked in blocks at half
+/// Every interval lies inside one segment of the input and is run with that segment's formula to its very end, so
+/// no step sees a breakpoint and the limits at both ends are the one-sided ones. The input is asked in blocks at half
 /// steps, apart from f(x, u).
 ///
 /// @tparam Stepper  kName, kEvaluations and step(h, u_begin, u_middle, u_end, x) as Rk4 has them
@@ -47,19 +47,19 @@ Statistics runFedSteps(Stepper& stepper, int width, Feed feed, const Schedule& s
                        std::span<const double> x0, const Observer& observe) {
   checkStart(Stepper::kName, x0, stepper.size());
   std::vector<double> x(x0.begin(), x0.end());
-  const Schedule::Stretches stretches = schedule.stretches();
-  auto next = stretches.begin();
+  const Schedule::Intervales intervales = schedule.intervales();
+  auto next = intervales.begin();
 
   Statistics statistics;
-  Stretch stretch = *next;
-  statistics.stopped = !observe(0, stretch.segment, stretch.begin, x);
-  for (std::size_t first = 0; first < stretches.size() && !statistics.stopped;) {
+  Interval interval = *next;
+  statistics.stopped = !observe(0, interval.segment, interval.begin, x);
+  for (std::size_t first = 0; first < intervales.size() && !statistics.stopped;) {
     const StepGrid grid = stepGridAt(schedule, first, step);
-    stretch = *next;
-    const int segment = stretch.segment;
-    const double begin = stretch.begin;
+    interval = *next;
+    const int segment = interval.segment;
+    const double begin = interval.begin;
     const int total = grid.steps * static_cast<int>(grid.count);
-    int left = grid.steps;  // of this stretch
+    int left = grid.steps;  // of this interval
     for (int done = 0; done < total && !statistics.stopped;) {
       const int block_end = std::min(done + kStepsPerBlock, total);
       const double* row = feed(segment, begin, grid.h, done, block_end);
@@ -70,9 +70,9 @@ Statistics runFedSteps(Stepper& stepper, int width, Feed feed, const Schedule& s
         }
         requireFinite(Stepper::kName, begin + done * grid.h, x);
         if (left > 0) continue;
-        if (stretch.sample >= 0) statistics.stopped = !observe(stretch.sample, stretch.next, stretch.end, x);
+        if (interval.sample >= 0) statistics.stopped = !observe(interval.sample, interval.next, interval.end, x);
         ++next;
-        if (done < total) stretch = *next;
+        if (done < total) interval = *next;
         left = grid.steps;
       }
     }

@@ -212,7 +212,7 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
     throw std::invalid_argument(
         fmt::format("simbody_rkm: the input has {} wheelsets, must be {}", input.channels(), channels()));
   }
-  const Stretch start = schedule.stretches().front();
+  const Interval start = schedule.intervales().front();
   int segment = start.segment;
   double reached = start.begin;
   const auto rail = [&input, &segment, size = 2 * at(channels())](double t, double* u) {
@@ -231,18 +231,18 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
   Statistics statistics;
   simbody([&] { simbody_->startRun(accuracy, schedule.outputStep(), reached, x.data(), rail); });
   statistics.stopped = !observe(0, segment, reached, x);
-  for (const Stretch stretch : schedule.stretches()) {
+  for (const Interval interval : schedule.intervales()) {
     if (statistics.stopped) break;
-    if (stretch.segment != segment) {
-      segment = stretch.segment;
-      simbody_->passKink();
+    if (interval.segment != segment) {
+      segment = interval.segment;
+      simbody_->passBreakpoint();
     }
-    simbody([&] { simbody_->advanceTo(stretch.end); });
-    reached = stretch.end;
-    if (stretch.sample < 0) continue;
+    simbody([&] { simbody_->advanceTo(interval.end); });
+    reached = interval.end;
+    if (interval.sample < 0) continue;
     simbody_->readState(x.data());
     requireNumbers(reached, x);
-    statistics.stopped = !observe(stretch.sample, stretch.next, reached, x);
+    statistics.stopped = !observe(interval.sample, interval.next, reached, x);
   }
   const SimbodyCost cost = simbody_->cost();
   statistics.steps = cost.steps;

@@ -30,7 +30,7 @@ enum class MbsLaw {
 class MbsForm : public System {
  public:
   /// Simbody's own Runge-Kutta-Merson over the schedule, a second, independent integrator. Steps end on samples and
-  /// kinks, and after a kink start from the right-hand limit. The observer may call output() and derivative().
+  /// breakpoints, and after a breakpoint start from the right-hand limit. The observer may call output() and derivative().
   /// @param accuracy  local error on the scale of 1 m, 1 rad, 1 m/s, 1 rad/s; choose it 100 to 300 times tighter than
   ///                  the error wanted (paper's vehicle over 10 s: 1e-12 gives 4e-10 of each state's peak)
   /// @throws RunFailed on NaN or when the integrator gives up, with the time reached

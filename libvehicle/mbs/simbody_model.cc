@@ -310,7 +310,7 @@ void SimbodyModel::advanceTo(double t) {
   while (parts_->integrator->getTime() < t) parts_->integrator->stepTo(t);
 }
 
-void SimbodyModel::passKink() {
+void SimbodyModel::passBreakpoint() {
   SimTK::Integrator& integrator = *parts_->integrator;
   // Simbody 3.7 evaluates the first stage when a step begins, so it holds nothing stale here; that is its habit, not
   // its promise.

@@ -92,7 +92,7 @@ class SimbodyModel {
   void startRun(double accuracy, double max_step, double t, const double* x, InputAt input_at);
   void advanceTo(double t);
   /// Says that the input's formula has changed at the time reached: what was evaluated there is forgotten.
-  void passKink();
+  void passBreakpoint();
   void readState(double* x) const;    // shape (2 N)
   [[nodiscard]] SimbodyCost cost() const;
 

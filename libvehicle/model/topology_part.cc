@@ -11,9 +11,9 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// What holds together: each body and wheelset knows the first of its lot.
-class Lots {
+class DisjointSets {
  public:
-  explicit Lots(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
   std::size_t of(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -31,7 +31,7 @@ class Lots {
 
 std::vector<TopologyPart> partsOf(const Topology& topology, const std::vector<char>& cut) {
   const std::size_t bodies = topology.bodies.size();
-  Lots lots(bodies + topology.wheelsets.size());
+  DisjointSets lots(bodies + topology.wheelsets.size());
   const auto lowerOf = [&](const TopologySuspension& each) {
     return each.lower_body >= 0 ? at(each.lower_body) : bodies + at(each.lower_wheelset);
   };

@@ -37,7 +37,7 @@ std::string nameOf(const Way& way) {
 }
 
 /// [s] of the input of one step, swept in blocks.
-double inputTime(const WayProblem& problem) {
+double inputTime(const TuningProblem& problem) {
   const Input& input = problem.run.input;
   const double h = (input.end() - input.begin()) / static_cast<double>(problem.steps);
   const double inside = 0.5 * (input.segment(0).end - input.begin());
@@ -71,9 +71,9 @@ struct Rival {
 };
 
 /// The steps to a Decision; each may be the last.
-class Choosing {
+class Tuner {
  public:
-  Choosing(const WayProblem& problem, const std::vector<Way>& ways) : problem_(problem), ways_(ways) {
+  Tuner(const TuningProblem& problem, const std::vector<Way>& ways) : problem_(problem), ways_(ways) {
     made_.scheme = ways.front().scheme;
     made_.threads = ways.front().threads;
     for (const Way& way : ways) made_.candidates.push_back({way.scheme, way.threads});
@@ -172,7 +172,7 @@ class Choosing {
 
   [[nodiscard]] double spent() const { return problem_.now() - begin_; }
 
-  const WayProblem& problem_;
+  const TuningProblem& problem_;
   const std::vector<Way>& ways_;
   double begin_ = problem_.now();
   double budget_ = 0.0;  // [s] for all of it
@@ -187,7 +187,7 @@ double secondsNow() {
 
 long stepsOfRun(const Schedule& schedule, FixedStep step) {
   long steps = 0;
-  for (std::size_t first = 0; first < schedule.stretches().size();) {
+  for (std::size_t first = 0; first < schedule.intervales().size();) {
     const StepGrid grid = stepGridAt(schedule, first, step);
     steps += static_cast<long>(grid.steps) * static_cast<long>(grid.count);
     first += grid.count;
@@ -202,6 +202,6 @@ std::vector<int> threadCounts(int most) {
   return counts;
 }
 
-Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways) { return Choosing(problem, ways).made(); }
+Decision chooseWay(const TuningProblem& problem, const std::vector<Way>& ways) { return Tuner(problem, ways).made(); }
 
 }  // namespace vehicle

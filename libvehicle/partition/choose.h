@@ -30,7 +30,7 @@ struct Decision {
   std::vector<Candidate> candidates{}; // serial first, then in the order weighed
 };
 
-/// One way to run, for a stretch of the run as well as for all of it.
+/// One way to run, for a interval of the run as well as for all of it.
 struct Way {
   Scheme scheme = Scheme::kSerial;
   int threads = 1;
@@ -41,7 +41,7 @@ struct Way {
 [[nodiscard]] double secondsNow();
 
 /// The run that is to be sped up.
-struct WayProblem {
+struct TuningProblem {
   const RunProblem& run;
   long steps = 0;  // of the whole run
   EquationMap map = EquationMap::kAuto;
@@ -59,7 +59,7 @@ struct WayProblem {
 /// time does.
 /// @param ways  not empty
 /// @throws what a way throws on the first steps of the run
-[[nodiscard]] Decision chooseWay(const WayProblem& problem, const std::vector<Way>& ways);
+[[nodiscard]] Decision chooseWay(const TuningProblem& problem, const std::vector<Way>& ways);
 
 /// Steps that a run of fixed steps takes.
 [[nodiscard]] long stepsOfRun(const Schedule& schedule, FixedStep step);

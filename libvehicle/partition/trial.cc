@@ -17,7 +17,7 @@ Input beginningOf(const Input& input, double end) {
 
 }  // namespace
 
-Trial trialOf(const WayProblem& problem, long steps) {
+Trial trialOf(const TuningProblem& problem, long steps) {
   const Input& whole = problem.run.input;
   const double h = (whole.end() - whole.begin()) / static_cast<double>(problem.steps);
   steps = std::clamp(steps, std::min(8l, problem.steps), problem.steps);

@@ -14,7 +14,7 @@ struct Trial {
 };
 
 /// @param steps  wanted; at least 8, and no more than the run has
-[[nodiscard]] Trial trialOf(const WayProblem& problem, long steps);
+[[nodiscard]] Trial trialOf(const TuningProblem& problem, long steps);
 
 /// [s] a step by that way, without the start of its threads.
 /// @param now    [s] a clock

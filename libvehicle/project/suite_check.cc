@@ -51,10 +51,10 @@ std::string whyNothing(const SuiteWork& work, const ValidationCase& each) {
   const ValidationPlan plan = validationPlanOf(modelOf(work, each), work.choice);
   if (judgesAnything(plan)) return {};
   std::string why;
-  for (const Misfit& misfit : plan.misfits) {
+  for (const Unsupported& unsupported : plan.unsupported) {
     why += why.empty() ? "" : "; ";
-    if (misfit.method.empty()) why += misfit.form + ": ";
-    why += misfit.reason;
+    if (unsupported.method.empty()) why += unsupported.form + ": ";
+    why += unsupported.reason;
   }
   return why.empty() ? "the reference alone is run" : why;
 }

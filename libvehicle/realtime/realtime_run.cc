@@ -37,7 +37,7 @@ class Rail {
   const std::vector<double>& of(long step) {
     const double begin = input_.begin() + static_cast<double>(step) * period_;
     const double end = input_.begin() + static_cast<double>(step + 1) * period_;
-    // The limits from inside the step: at its end the segment that holds before a kink there.
+    // The limits from inside the step: at its end the segment that holds before a breakpoint there.
     forward(begin);
     evaluate(0, begin);
     forward(0.5 * (begin + end));

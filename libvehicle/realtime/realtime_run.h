@@ -24,7 +24,7 @@ struct RealtimeRun {
 
 /// A scenario as a partner in a rig sees it: one rk4 step of length `period` is released every `period` of true time,
 /// on a thread of its own; the calling thread plays the rail into a mailbox, ahead by up to 50 ms, and reads the states
-/// from another. A kink of the rail inside a step is met by the three values of the input at its begin, middle and
+/// from another. A breakpoint of the rail inside a step is met by the three values of the input at its begin, middle and
 /// end, as a rig would.
 /// @param choice    form and speed are read; priority and pinning of its team, too
 /// @param period    [s] 1e-6 .. 3600

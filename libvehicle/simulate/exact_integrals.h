@@ -11,9 +11,9 @@ namespace vehicle {
 
 /// Integrals of columns and of their squares over a smooth part of an exact run, to rounding.
 ///
-/// The samples of equal stretches are summed by the trapezoidal rule, and what that owes to the ends is taken off by the
+/// The samples of equal intervales are summed by the trapezoidal rule, and what that owes to the ends is taken off by the
 /// Euler-Maclaurin formula up to h^12: the motion of a linear system has all its derivatives in closed form
-/// (ColumnDerivatives). A shorter stretch at an end is integrated as its Taylor series. Both series fall by a hundred a
+/// (ColumnDerivatives). A shorter interval at an end is integrated as its Taylor series. Both series fall by a hundred a
 /// term where h |lambda| <= kMostTurn.
 /// Source: M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 23.1.30.
 class ExactIntegrals {
@@ -25,7 +25,7 @@ class ExactIntegrals {
 
   /// The first sample of a part.
   void begin(const Schedule::Part& part, double t, std::span<const double> x);
-  /// The sample at the end of stretch number `own` of the part, seen from inside.
+  /// The sample at the end of interval number `own` of the part, seen from inside.
   /// @param y  (columns) there
   void add(std::size_t own, double t, std::span<const double> x, std::span<const double> y);
 
@@ -45,9 +45,9 @@ class ExactIntegrals {
   double time_ = 0.0;
 
   int segment_ = 0;
-  std::size_t stretches_ = 0;
+  std::size_t intervales_ = 0;
   double point_step_ = 0.0;
-  bool odd_first_ = false, odd_last_ = false;  // stretches at the ends that are no whole point step
+  bool odd_first_ = false, odd_last_ = false;  // intervales at the ends that are no whole point step
   double last_length_ = 0.0;
 };
 

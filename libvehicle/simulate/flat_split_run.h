@@ -11,7 +11,7 @@ namespace vehicle {
 /// bits on one and on two, and differ from those of rk4 by rounding.
 /// @param problem  of the flat form
 /// @param threads  1 or 2; on 1 the caller's own steps both halves in one loop
-/// @throws std::invalid_argument  with splitMisfit(); for more than two threads; and as runRk4()
+/// @throws std::invalid_argument  with splitUnsupported(); for more than two threads; and as runRk4()
 PartsRun runFlatRk4Split(const RunProblem& problem, FixedStep step, const Observer& observe, int threads = 1,
                          const TeamPolicy& team = {});
 

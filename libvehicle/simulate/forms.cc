@@ -19,7 +19,7 @@ struct FormEntry {
   std::string name;
   Kind kind;
   Family family;
-  ProblemList (*misfits)(const Topology&);
+  ProblemList (*unsupported)(const Topology&);
   std::unique_ptr<System> (*build)(const CompiledModel&);
 };
 
@@ -28,7 +28,7 @@ ProblemList nothing(const Topology& /*topology*/) { return {}; }  // of a form t
 template <FlatVariant variant>
 FormEntry printedEntry(const char* name) {
   return {name, Kind::kLinear, Family::kPrinted,
-          [](const Topology& topology) { return flatMisfits(topology, variant); },
+          [](const Topology& topology) { return flatUnsupported(topology, variant); },
           [](const CompiledModel& model) -> std::unique_ptr<System> { return buildFlatForm(model, variant); }};
 }
 
@@ -40,7 +40,7 @@ FormEntry mbsEntry(const char* name, Kind kind) {
 
 const std::vector<FormEntry>& entries() {
   static const std::vector<FormEntry> table = {
-      {"flat", Kind::kLinear, Family::kEquations, flatSystemMisfits, buildFlatSystem},
+      {"flat", Kind::kLinear, Family::kEquations, flatSystemUnsupported, buildFlatSystem},
       {"matrix", Kind::kLinear, Family::kEquations, nothing,
        [](const CompiledModel& model) -> std::unique_ptr<System> { return buildMatrixForm(model); }},
       mbsEntry<MbsLaw::kLinear>("mbs-linear", Kind::kLinear),
@@ -70,12 +70,16 @@ const std::vector<std::string>& formNames() {
   return names;
 }
 
-ProblemList formMisfits(const std::string& form, const Topology& topology) { return entryOf(form).misfits(topology); }
+ProblemList formUnsupported(const std::string& form, const Topology& topology) {
+  return entryOf(form).unsupported(topology);
+}
 bool isLinearForm(const std::string& form) { return entryOf(form).kind == Kind::kLinear; }
 bool isSimbodyForm(const std::string& form) { return entryOf(form).family == Family::kSimbody; }
 bool isPrintedVariant(const std::string& form) { return entryOf(form).family == Family::kPrinted; }
 
-std::string defaultForm(const Topology& topology) { return formMisfits("flat", topology).empty() ? "flat" : "matrix"; }
+std::string defaultForm(const Topology& topology) {
+  return formUnsupported("flat", topology).empty() ? "flat" : "matrix";
+}
 
 std::unique_ptr<System> buildForm(const std::string& form, const CompiledModel& model) {
   return entryOf(form).build(model);  // each builder throws what speaks against the form

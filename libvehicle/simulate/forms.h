@@ -15,7 +15,7 @@ namespace vehicle {
 
 /// Why this form cannot represent the vehicle, one problem an element; empty if it can.
 /// @throws std::invalid_argument for a form that does not exist, naming the nearest one
-[[nodiscard]] ProblemList formMisfits(const std::string& form, const Topology& topology);
+[[nodiscard]] ProblemList formUnsupported(const std::string& form, const Topology& topology);
 
 /// Whether the form's x' = f(x, u) is linear, so that matrices, modes and the exact method exist.
 [[nodiscard]] bool isLinearForm(const std::string& form);
@@ -27,7 +27,7 @@ namespace vehicle {
 /// The form that is taken where none is named: flat where it fits, else matrix.
 [[nodiscard]] std::string defaultForm(const Topology& topology);
 
-/// @throws InvalidInput with formMisfits()
+/// @throws InvalidInput with formUnsupported()
 [[nodiscard]] std::unique_ptr<System> buildForm(const std::string& form, const CompiledModel& model);
 
 }  // namespace vehicle

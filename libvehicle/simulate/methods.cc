@@ -25,7 +25,7 @@ bool isSplitMethod(const std::string& method) { return method == "rk4_split"; }
 bool isRk4(const std::string& method) { return method == "rk4" || method == "rk4_split"; }
 bool isExact(const std::string& method) { return method == "exact"; }
 
-std::string methodMisfit(const std::string& method, const std::string& form) {
+std::string methodUnsupported(const std::string& method, const std::string& form) {
   const bool linear = isLinearForm(form);
   const bool simbody = isSimbodyForm(form);
   if (method == "rk4" || method == "dopri5") return {};
@@ -48,21 +48,21 @@ std::string methodMisfit(const std::string& method, const std::string& form) {
   throw std::invalid_argument(unknownName("method", method, methodNames()));
 }
 
-std::string methodMisfit(const std::string& method, const std::string& form, const CompiledModel& model) {
-  if (std::string misfit = methodMisfit(method, form); !misfit.empty()) return misfit;
-  if (!isSplitMethod(method) || !formMisfits(form, model.topology).empty()) return {};
-  return splitMethodMisfit(method, *buildFlatSystem(model));
+std::string methodUnsupported(const std::string& method, const std::string& form, const CompiledModel& model) {
+  if (std::string unsupported = methodUnsupported(method, form); !unsupported.empty()) return unsupported;
+  if (!isSplitMethod(method) || !formUnsupported(form, model.topology).empty()) return {};
+  return splitMethodUnsupported(method, *buildFlatSystem(model));
 }
 
-std::string splitMethodMisfit(const std::string& method, const System& form) {
+std::string splitMethodUnsupported(const std::string& method, const System& form) {
   const auto* flat = dynamic_cast<const FlatForm*>(&form);
   const std::string whole = method.substr(0, method.find('_'));
   if (dynamic_cast<const FlatTrain*>(&form) != nullptr) {
     return fmt::format("{}: couplings join the bounce and pitch of a train's vehicles; take {}", method, whole);
   }
   if (flat == nullptr) return fmt::format("{}: the form is not the flat one", method);
-  const std::string misfit = splitMisfit(*flat);
-  return misfit.empty() ? misfit : fmt::format("{}: {}; take {}", method, misfit, whole);
+  const std::string unsupported = splitUnsupported(*flat);
+  return unsupported.empty() ? unsupported : fmt::format("{}: {}; take {}", method, unsupported, whole);
 }
 
 SettingsRead settingsReadBy(const std::string& method) {
@@ -100,8 +100,8 @@ Statistics runMethod(const std::string& method, const System& system, const Inpu
     return runRk4(system, input, schedule, settings.step, x0, observe);
   }
   if (isSplitMethod(method)) {
-    if (const std::string misfit = splitMethodMisfit(method, system); !misfit.empty()) {
-      throw std::invalid_argument(misfit);
+    if (const std::string unsupported = splitMethodUnsupported(method, system); !unsupported.empty()) {
+      throw std::invalid_argument(unsupported);
     }
     return runFlatRk4Split(problem, settings.step, observe).statistics;
   }

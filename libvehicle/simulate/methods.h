@@ -22,12 +22,13 @@ namespace vehicle {
 
 /// Why this method cannot integrate that form ("exact needs a linear form; mbs is nonlinear"); empty if it can.
 /// @throws std::invalid_argument for a name that does not exist, naming the nearest one
-[[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form);
+[[nodiscard]] std::string methodUnsupported(const std::string& method, const std::string& form);
 /// The same for one vehicle: rk4_split needs one that bounces and pitches apart. Empty where the form
-/// itself does not fit the vehicle: that is formMisfits()'.
-[[nodiscard]] std::string methodMisfit(const std::string& method, const std::string& form, const CompiledModel& model);
+/// itself does not fit the vehicle: that is formUnsupported()'.
+[[nodiscard]] std::string methodUnsupported(const std::string& method, const std::string& form,
+                                            const CompiledModel& model);
 
-/// Most states that exact is taken for where no method is named. Its work grows with their cube, and with the kinks of
+/// Most states that exact is taken for where no method is named. Its work grows with their cube, and with the breakpoints of
 /// the rail under every wheel: a train of more than eight flat vehicles is run by dopri5 sooner.
 inline constexpr int kMostExactStates = 64;
 
@@ -54,7 +55,7 @@ struct SettingsRead {
 [[nodiscard]] SettingsRead settingsReadBy(const std::string& method);
 
 /// Why the split methods cannot run this form ("rk4_split: ... the rear one = 9500 kg; take rk4"); empty if they can.
-[[nodiscard]] std::string splitMethodMisfit(const std::string& method, const System& form);
+[[nodiscard]] std::string splitMethodUnsupported(const std::string& method, const System& form);
 
 /// Integrates a form over the schedule by the named method, on the caller's own thread.
 Statistics runMethod(const std::string& method, const System& system, const Input& input, const Schedule& schedule,

@@ -21,7 +21,7 @@ Recorder::Recorder(const System& system, const Input& input, const Schedule& sch
       summaries_(measures ? system.outputs().size() : 0),
       u_(3 * static_cast<std::size_t>(system.channels())),
       y_(system.outputs().size()),
-      next_(schedule.stretches().begin()) {
+      next_(schedule.intervales().begin()) {
   if (keep == Keep::kOutputs) history_.reserve(static_cast<std::size_t>(schedule.outputs()));
 }
 
@@ -45,14 +45,14 @@ void Recorder::measureBegin(double t, std::span<const double> x) {
   summaries_.begin(t, (*weights_)[0], y_);
 }
 
-// The sample at the end of a stretch, seen from the stretch.
-void Recorder::measureEnd(const Stretch& stretch, int segment, double t, std::span<const double> x) {
+// The sample at the end of a interval, seen from the interval.
+void Recorder::measureEnd(const Interval& interval, int segment, double t, std::span<const double> x) {
   if (!weights_) return;
-  if (stretch.segment != segment) evaluate(stretch.segment, t, x);
-  const std::size_t own = next_.index() - next_.part().first_stretch;
+  if (interval.segment != segment) evaluate(interval.segment, t, x);
+  const std::size_t own = next_.index() - next_.part().first_interval;
   summaries_.add(t, (*weights_)[own + 1], y_);
   if (exact_) exact_->add(own, t, x, y_);
-  if (stretch.segment != segment) evaluate(segment, t, x);
+  if (interval.segment != segment) evaluate(segment, t, x);
 }
 
 void Recorder::store(double t) {
@@ -67,18 +67,18 @@ bool Recorder::operator()(int sample, int segment, double t, std::span<const dou
   if (sample == 0) {
     if (measures_) measureBegin(t, x);
   } else {
-    Stretch stretch = *next_;
-    for (; stretch.sample < 0; stretch = *next_) ++next_;  // breakpoints that are no samples
+    Interval interval = *next_;
+    for (; interval.sample < 0; interval = *next_) ++next_;  // breakpoints that are no samples
     if (measures_) {
-      measureEnd(stretch, segment, t, x);
-      const bool ends_part = next_.index() + 1 == next_.part().first_stretch + next_.part().count;
-      const bool ends_run = next_.index() + 1 == schedule_.stretches().size();
+      measureEnd(interval, segment, t, x);
+      const bool ends_part = next_.index() + 1 == next_.part().first_interval + next_.part().count;
+      const bool ends_run = next_.index() + 1 == schedule_.intervales().size();
       ++next_;
       if (ends_part && !ends_run) measureBegin(t, x);
     } else {
       ++next_;
     }
-    kept = keep_ == Keep::kRegular ? stretch.regular >= 0 : stretch.output >= 0;
+    kept = keep_ == Keep::kRegular ? interval.regular >= 0 : interval.output >= 0;
   }
   if (kept) {
     ++outputs_;
@@ -94,7 +94,7 @@ std::vector<ColumnSummary> Recorder::summaries() const {
   if (!measures_) return {};
   std::vector<ColumnSummary> made = summaries_.summaries();
   // A part that was broken off has no end to be integrated to.
-  if (!exact_ || exact_->time() <= 0.0 || !(next_ == schedule_.stretches().end())) return made;
+  if (!exact_ || exact_->time() <= 0.0 || !(next_ == schedule_.intervales().end())) return made;
   for (std::size_t i = 0; i < made.size(); ++i) {
     made[i].mean = exact_->first()[i] / exact_->time();
     made[i].rms = std::sqrt(std::fmax(0.0, exact_->second()[i] / exact_->time()));

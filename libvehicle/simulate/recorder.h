@@ -49,7 +49,7 @@ class Recorder {
 
  private:
   void evaluate(int segment, double t, std::span<const double> x);
-  void measureEnd(const Stretch& stretch, int segment, double t, std::span<const double> x);
+  void measureEnd(const Interval& interval, int segment, double t, std::span<const double> x);
   void measureBegin(double t, std::span<const double> x);
   void store(double t);
 
@@ -63,7 +63,7 @@ class Recorder {
   ColumnSummaries summaries_;
   std::vector<double> u_;                 // (3 w) heights, rates, accelerations
   std::vector<double> y_;                 // (columns after time)
-  Schedule::Iterator next_;               // the stretch that ends at the next sample
+  Schedule::Iterator next_;               // the interval that ends at the next sample
   std::optional<SampleWeights> weights_;  // of its part, where that counts
   std::optional<ExactIntegrals> exact_;
   double reached_ = 0.0;

@@ -90,7 +90,7 @@ class SharedRuns {
       case Scheme::kPipeline:
         return made(runFlatPipeline(problem, settings_.step, observe, threads, team).run);
       case Scheme::kSplit:
-        if (const std::string why = splitMethodMisfit(method_, problem.system); !why.empty()) {
+        if (const std::string why = splitMethodUnsupported(method_, problem.system); !why.empty()) {
           throw std::invalid_argument(why);
         }
         return made(runFlatRk4Split(problem, settings_.step, observe, threads, team));

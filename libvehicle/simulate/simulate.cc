@@ -118,8 +118,8 @@ RunResult simulate(const CompiledModel& model, const Scenario& scenario, const R
   result.form = choice.form.empty() ? defaultForm(model.topology) : choice.form;
   result.method = choice.method.empty() ? defaultMethod(result.form, model.states.size()) : choice.method;
   result.speed = choice.speed.value_or(scenario.run.speed);
-  if (const std::string misfit = methodMisfit(result.method, result.form); !misfit.empty()) {
-    throw std::invalid_argument(misfit);
+  if (const std::string unsupported = methodUnsupported(result.method, result.form); !unsupported.empty()) {
+    throw std::invalid_argument(unsupported);
   }
   if (const std::string why = threadsUnsupported(result.form, result.method, choice.sharing); !why.empty()) {
     throw std::invalid_argument(why);

@@ -6,7 +6,7 @@
 
 namespace vehicle {
 
-/// What the rail does under every wheelset (channel) between two kinks, in closed form. With s = t - begin:
+/// What the rail does under every wheelset (channel) between two breakpoints, in closed form. With s = t - begin:
 ///
 ///     eta_j(t) = sum_k polynomial(j,k) s^k + sum_f [ cosine(j,f) cos(w_f s) + sine(j,f) sin(w_f s) ]
 ///
@@ -25,17 +25,17 @@ struct InputSegment {
 
 /// What all channels of a sweep share: the clock and the sine and cosine of every frequency at its samples. Small even
 /// for a long train, whose rows of 2 w values a sample would not fit in a cache.
-struct SweepClock {
+struct PhasorTable {
   int segment = 0;
   int count = 0;
   std::vector<double> time;    // [s] t - begin, shape (count)
   std::vector<double> circle;  // cos(w_f s), sin(w_f s), shape (count x 2 F), row-major
 };
 
-/// The input u(t) of a system over a whole run, cut at its kinks.
+/// The input u(t) of a system over a whole run, cut at its breakpoints.
 ///
 /// u = (eta_1..eta_w, eta_1'..eta_w') [m, m/s]; where accelerations are asked for, eta_1''..eta_w'' [m/s^2]
-/// follow. Inside a segment eta is analytic. At a kink eta is continuous and eta' or eta'' may jump: the two
+/// follow. Inside a segment eta is analytic. At a breakpoint eta is continuous and eta' or eta'' may jump: the two
 /// one-sided limits are the values of the two segments there, so callers name the segment and never compare
 /// times.
 class Input {
@@ -66,14 +66,14 @@ class Input {
   }
   static constexpr int kBlock = 64;
 
-  /// sweep() in two halves, for who wants some channels at a time: the clock of its samples once, then rows from it.
+  /// sweep() in two halves, for callers that need some channels at a time: the clock of its samples once, then rows from it.
   /// Allocates only where `clock` is smaller than ever before.
   /// @param first, count  as for sweep()
-  void wind(int segment, double t0, double dt, int first, int count, SweepClock& clock) const;
+  void prepare(int segment, double t0, double dt, int first, int count, PhasorTable& clock) const;
   /// Heights of the channels from .. to-1, then their rates, at one sample of the clock: the bits that sweep() gives,
   /// however the channels are cut. Never allocates, never throws.
   /// @param sample  0 <= sample < clock.count   @param u  (2 (to - from))
-  void readRow(const SweepClock& clock, int sample, int from, int to, double* u) const;
+  void readRow(const PhasorTable& clock, int sample, int from, int to, double* u) const;
 
   /// The same input with its channels in another order: channel i of the result is channel order[i] of this one.
   /// @throws std::invalid_argument unless order names every channel once

@@ -46,7 +46,7 @@ void copyChannel(const std::vector<double>& from, std::size_t channel, std::size
 
 }  // namespace
 
-void Input::wind(int segment, double t0, double dt, int first, int count, SweepClock& clock) const {
+void Input::prepare(int segment, double t0, double dt, int first, int count, PhasorTable& clock) const {
   assert(segment >= 0 && segment < segments());
   requireSweep(first, count);
   const InputSegment& piece = segments_[static_cast<std::size_t>(segment)];
@@ -54,14 +54,14 @@ void Input::wind(int segment, double t0, double dt, int first, int count, SweepC
   clock.segment = segment;
   clock.count = count;
   clock.time.resize(static_cast<std::size_t>(count));
-  clock.circle.resize(static_cast<std::size_t>(count) * 2 * frequencies);
+  clock.phasor.resize(static_cast<std::size_t>(count) * 2 * frequencies);
   for (int i = 0; i < count; ++i) clock.time[static_cast<std::size_t>(i)] = (t0 + (first + i) * dt) - piece.begin;
   for (std::size_t f = 0; f < frequencies; ++f) {
     for (int done = 0; done < count; done += kBlock) {
       const int end = std::min(done + kBlock, count);
       Oscillator oscillator(piece.angular_frequency[f], (t0 + (first + done) * dt) - piece.begin, dt);
       for (int i = done; i < end; ++i, oscillator.turn()) {
-        double* circle = clock.circle.data() + 2 * (static_cast<std::size_t>(i) * frequencies + f);
+        double* circle = clock.phasor.data() + 2 * (static_cast<std::size_t>(i) * frequencies + f);
         circle[0] = oscillator.cosine;
         circle[1] = oscillator.sine;
       }
@@ -69,7 +69,7 @@ void Input::wind(int segment, double t0, double dt, int first, int count, SweepC
   }
 }
 
-void Input::readRow(const SweepClock& clock, int sample, int from, int to, double* u) const {
+void Input::readRow(const PhasorTable& clock, int sample, int from, int to, double* u) const {
   assert(sample >= 0 && sample < clock.count && 0 <= from && from <= to && to <= channels_);
   const auto index = static_cast<std::size_t>(clock.segment);
   const std::size_t frequencies = segments_[index].angular_frequency.size();
@@ -79,7 +79,7 @@ void Input::readRow(const SweepClock& clock, int sample, int from, int to, doubl
   for (const int rate : {0, 1}) {
     double* values = u + rate * count;
     const double* row = rows_.data() + index_[index].offset + rate * channels_ + from;
-    const double* circle = clock.circle.data() + 2 * frequencies * static_cast<std::size_t>(sample);
+    const double* circle = clock.phasor.data() + 2 * frequencies * static_cast<std::size_t>(sample);
     setRow(row, polynomial, clock.time[static_cast<std::size_t>(sample)], width, count, values);
     if (polynomial) row += 4 * width;
     std::size_t f = 0;

@@ -11,7 +11,7 @@ namespace vehicle {
 ///     mixed_i(t) = sum_j weights(i,j) eta_j(t)
 ///
 /// Sums of harmonics and cubics are harmonics and cubics, so the result has the same segments and frequencies, closed
-/// forms, kinks and one-sided limits. Its coefficients differ from exact sums by rounding, |error| <= w 2^-53
+/// forms, breakpoints and one-sided limits. Its coefficients differ from exact sums by rounding, |error| <= w 2^-53
 /// sum_j |weights(i,j) coefficient_j|; a row of one weight 1 gives that channel's bits.
 /// @param weights  (channels of the result x channels of `input`), row-major
 /// @throws std::invalid_argument unless weights are finite and whole rows, at least one

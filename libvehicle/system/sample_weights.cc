@@ -55,24 +55,24 @@ std::vector<double> allWeights(const std::vector<double>& nodes, bool odd_first,
   return weights;
 }
 
-// At either end an odd stretch reaches four samples in, Gregory's formula behind it four more.
+// At either end an odd interval reaches four samples in, Gregory's formula behind it four more.
 constexpr std::size_t kEnd = 5;
 
 }  // namespace
 
-SampleWeights::SampleWeights(std::size_t stretches, double first, double point_step, double last)
-    : stretches_(stretches), point_step_(point_step) {
+SampleWeights::SampleWeights(std::size_t intervales, double first, double point_step, double last)
+    : intervales_(intervales), point_step_(point_step) {
   const auto isOdd = [&](double length) { return std::abs(length - point_step) > 1e-12 * point_step; };
   const bool odd_first = isOdd(first);
   const bool odd_last = isOdd(last);
   // The weights of many samples are those of a dozen, with equal ones put in between.
-  const std::size_t few = std::min(stretches, 2 * kEnd + 2);
+  const std::size_t few = std::min(intervales, 2 * kEnd + 2);
   std::vector<double> nodes{0.0};
   for (std::size_t i = 0; i < few; ++i) {
     nodes.push_back(nodes.back() + (i == 0 ? first : i + 1 == few ? last : point_step));
   }
   std::vector<double> weights = allWeights(nodes, odd_first && few > 1, odd_last && few > 1);
-  if (few == stretches) {
+  if (few == intervales) {
     head_ = std::move(weights);
     return;
   }
@@ -81,8 +81,8 @@ SampleWeights::SampleWeights(std::size_t stretches, double first, double point_s
 }
 
 SampleWeights::SampleWeights(const Schedule& schedule, const Schedule::Part& part)
-    : SampleWeights(part.count, schedule.stretches()[part.first_stretch].end - part.begin,
+    : SampleWeights(part.count, schedule.intervales()[part.first_interval].end - part.begin,
                     schedule.outputStep() / part.cut,
-                    part.end - schedule.stretches()[part.first_stretch + part.count - 1].begin) {}
+                    part.end - schedule.intervales()[part.first_interval + part.count - 1].begin) {}
 
 }  // namespace vehicle

@@ -168,7 +168,7 @@ void Schedule::addPart(const Part& wanted) {
 
   const bool at_end = end_ - part.end <= same;
   part.shown = measures_ || on_point || at_end;
-  part.first_stretch = stretch_count_;
+  part.first_interval = interval_count_;
   part.first_sample = samples_;
   const auto number = [&](std::int64_t every) { return on_point && last % every == 0 ? last / every : -1; };
   part.last_output = static_cast<int>(number(part.cut));
@@ -177,46 +177,46 @@ void Schedule::addPart(const Part& wanted) {
   if (at_end && part.last_output < 0) {
     part.last_output = static_cast<int>((last - 1) / part.cut) + 1;
   }
-  stretch_count_ += part.count;
+  interval_count_ += part.count;
   samples_ += static_cast<int>(part.count) - (part.shown ? 0 : 1);
   if (at_end) outputs_ = part.last_output + 1;
   parts_.push_back(part);
 }
 
-const Schedule::Part& Schedule::partOf(std::size_t stretch) const {
-  const auto after = std::upper_bound(parts_.begin(), parts_.end(), stretch,
-                                      [](std::size_t index, const Part& part) { return index < part.first_stretch; });
+const Schedule::Part& Schedule::partOf(std::size_t interval) const {
+  const auto after = std::upper_bound(parts_.begin(), parts_.end(), interval,
+                                      [](std::size_t index, const Part& part) { return index < part.first_interval; });
   return *(after - 1);
 }
 
-Stretch Schedule::stretchOf(const Part& part, std::size_t index) const {
-  const std::size_t own = index - part.first_stretch;
+Interval Schedule::intervalOf(const Part& part, std::size_t index) const {
+  const std::size_t own = index - part.first_interval;
   const bool is_first = own == 0;
   const bool is_last = own + 1 == part.count;
   const auto point = part.first + static_cast<std::int64_t>(own);  // at its end, unless it is the last
-  Stretch stretch;
-  stretch.segment = part.segment;
-  stretch.begin = is_first ? part.begin : pointTime(part, point - 1);
-  stretch.end = is_last ? part.end : pointTime(part, point);
-  stretch.next = is_last ? part.next : part.segment;
+  Interval interval;
+  interval.segment = part.segment;
+  interval.begin = is_first ? part.begin : pointTime(part, point - 1);
+  interval.end = is_last ? part.end : pointTime(part, point);
+  interval.next = is_last ? part.next : part.segment;
   if ((!is_first || part.first_whole) && (!is_last || part.last_whole)) {
-    stretch.whole = sampling_.output_step / part.cut;
+    interval.whole = sampling_.output_step / part.cut;
   }
   if (is_last) {
-    if (part.shown) stretch.sample = part.first_sample + static_cast<int>(own);
-    stretch.output = part.last_output;
-    stretch.regular = part.last_regular;
-    return stretch;
+    if (part.shown) interval.sample = part.first_sample + static_cast<int>(own);
+    interval.output = part.last_output;
+    interval.regular = part.last_regular;
+    return interval;
   }
-  stretch.sample = part.first_sample + static_cast<int>(own);
-  if (point % part.cut == 0) stretch.output = static_cast<int>(point / part.cut);
-  if (point % part.finer == 0) stretch.regular = static_cast<int>(point / part.finer);
-  return stretch;
+  interval.sample = part.first_sample + static_cast<int>(own);
+  if (point % part.cut == 0) interval.output = static_cast<int>(point / part.cut);
+  if (point % part.finer == 0) interval.regular = static_cast<int>(point / part.finer);
+  return interval;
 }
 
 std::size_t Schedule::wholeFrom(std::size_t index) const {
   const Part& part = partOf(index);
-  const std::size_t own = index - part.first_stretch;
+  const std::size_t own = index - part.first_interval;
   if (own == 0 && !part.first_whole) return 0;
   const std::size_t last = part.count - (part.last_whole ? 0 : 1);  // behind the last whole one
   return own < last ? last - own : 0;
@@ -227,7 +227,7 @@ double Schedule::time(int sample) const {
   const auto after = std::upper_bound(parts_.begin(), parts_.end(), sample,
                                       [](int number, const Part& part) { return number < part.first_sample; });
   const Part& part = *(after - 1);
-  return stretchOf(part, part.first_stretch + at(sample - part.first_sample)).end;
+  return intervalOf(part, part.first_interval + at(sample - part.first_sample)).end;
 }
 
 }  // namespace vehicle

@@ -13,7 +13,7 @@
 namespace vehicle {
 
 /// A piece of a run without breakpoint and without a sample inside.
-struct Stretch {
+struct Interval {
   int segment = 0;     // of the input: the one whose formula holds on [begin, end]
   double begin = 0.0;  // [s]
   double end = 0.0;    // [s]
@@ -57,13 +57,13 @@ struct Sampling {
   /// as many a period of the fastest harmonic that the rail has at the time.
   double fastest = 0.0;
   int steps = 0;            // fixed steps that an output step is cut into: samples end steps; 0: any
-  double count_from = 0.0;  // [s] an output sample: the motion is measured from there on, and a stretch ends there
+  double count_from = 0.0;  // [s] an output sample: the motion is measured from there on, and a interval ends there
 };
 inline constexpr double kPointsPerTurn = 20.0;
 
-/// Samples of a run and breakpoints of its input, merged once, in indices. Stretches join bit for bit, each is longer
+/// Samples of a run and breakpoints of its input, merged once, in indices. Intervales join bit for bit, each is longer
 /// than a billionth of an output step, and one ends on each breakpoint; a breakpoint that is a sample (within a
-/// billionth of a step) ends one stretch. The first sample stands at the begin, the last at the end of the input.
+/// billionth of a step) ends one interval. The first sample stands at the begin, the last at the end of the input.
 ///
 /// Memory goes with the segments of the input, not with the length of the run.
 class Schedule {
@@ -76,7 +76,7 @@ class Schedule {
   /// both sides of every breakpoint.
   Schedule(const Input& input, const Sampling& sampling);
 
-  /// Stretches of one segment: those between points are equally long, the first and the last may be shorter.
+  /// Intervales of one segment: those between points are equally long, the first and the last may be shorter.
   struct Part {
     int segment = 0;
     int next = 0;              // the segment after it
@@ -85,36 +85,36 @@ class Schedule {
     int cut = 1;               // points of an output step
     int finer = 1;             // points between two of the regular grid
     std::int64_t first = 0;    // number of the first point of the grid behind `begin`
-    std::size_t count = 1;     // stretches
+    std::size_t count = 1;     // intervales
     bool first_whole = false;  // whether `begin` is a point of the grid
     bool last_whole = false;   // whether `end` is one
     bool shown = true;         // whether `end` is a sample
     bool counts = true;        // whether the motion is measured here
-    std::size_t first_stretch = 0;
-    int first_sample = 0;  // number of the sample at the end of its first stretch
+    std::size_t first_interval = 0;
+    int first_sample = 0;  // number of the sample at the end of its first interval
     int last_output = -1;  // at `end`
     int last_regular = -1;
   };
 
   class Iterator;
-  /// The stretches of a run, made one by one as they are asked for. Cost of [] grows with the logarithm of the segments.
-  class Stretches {
+  /// The intervales of a run, made one by one as they are asked for. Cost of [] grows with the logarithm of the segments.
+  class Intervales {
    public:
-    explicit Stretches(const Schedule& schedule) : schedule_(&schedule) {}
-    [[nodiscard]] std::size_t size() const { return schedule_->stretch_count_; }
+    explicit Intervales(const Schedule& schedule) : schedule_(&schedule) {}
+    [[nodiscard]] std::size_t size() const { return schedule_->interval_count_; }
     [[nodiscard]] bool empty() const { return size() == 0; }
-    [[nodiscard]] Stretch operator[](std::size_t index) const { return schedule_->stretchAt(index); }
-    [[nodiscard]] Stretch front() const { return (*this)[0]; }
-    [[nodiscard]] Stretch back() const { return (*this)[size() - 1]; }
+    [[nodiscard]] Interval operator[](std::size_t index) const { return schedule_->intervalAt(index); }
+    [[nodiscard]] Interval front() const { return (*this)[0]; }
+    [[nodiscard]] Interval back() const { return (*this)[size() - 1]; }
     [[nodiscard]] Iterator begin() const;
     [[nodiscard]] Iterator end() const;
 
    private:
     const Schedule* schedule_;
   };
-  [[nodiscard]] Stretches stretches() const { return Stretches(*this); }
+  [[nodiscard]] Intervales intervales() const { return Intervales(*this); }
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
-  /// How many stretches from that one on, itself included, are whole steps of the grid of one segment; 0 if it is none.
+  /// How many intervales from that one on, itself included, are whole steps of the grid of one segment; 0 if it is none.
   [[nodiscard]] std::size_t wholeFrom(std::size_t index) const;
 
   [[nodiscard]] int samples() const { return samples_; }  // the one at the start included
@@ -134,9 +134,9 @@ class Schedule {
   void addParts(const Input& input);
   void addPart(const Part& part);
   [[nodiscard]] double pointTime(const Part& part, std::int64_t point) const { return grid_.time(point, part.cut); }
-  [[nodiscard]] const Part& partOf(std::size_t stretch) const;
-  [[nodiscard]] Stretch stretchOf(const Part& part, std::size_t index) const;
-  [[nodiscard]] Stretch stretchAt(std::size_t index) const { return stretchOf(partOf(index), index); }
+  [[nodiscard]] const Part& partOf(std::size_t interval) const;
+  [[nodiscard]] Interval intervalOf(const Part& part, std::size_t index) const;
+  [[nodiscard]] Interval intervalAt(std::size_t index) const { return intervalOf(partOf(index), index); }
 
   double begin_;
   double end_;
@@ -147,28 +147,28 @@ class Schedule {
   int cut_ = 1;
   int samples_ = 1;
   int outputs_ = 1;
-  std::size_t stretch_count_ = 0;
+  std::size_t interval_count_ = 0;
   std::vector<Part> parts_;
 };
 
-/// Goes through the stretches in order.
+/// Goes through the intervales in order.
 class Schedule::Iterator {
  public:
   using iterator_category = std::input_iterator_tag;
-  using value_type = Stretch;
+  using value_type = Interval;
   using difference_type = std::ptrdiff_t;
-  using pointer = const Stretch*;
-  using reference = Stretch;
+  using pointer = const Interval*;
+  using reference = Interval;
 
   Iterator(const Schedule& schedule, std::size_t index)
       : schedule_(&schedule),
         index_(index),
-        part_(index < schedule.stretch_count_ ? &schedule.partOf(index) : nullptr) {}
-  [[nodiscard]] Stretch operator*() const { return schedule_->stretchOf(*part_, index_); }
+        part_(index < schedule.interval_count_ ? &schedule.partOf(index) : nullptr) {}
+  [[nodiscard]] Interval operator*() const { return schedule_->intervalOf(*part_, index_); }
   [[nodiscard]] const Part& part() const { return *part_; }
   [[nodiscard]] std::size_t index() const { return index_; }
   Iterator& operator++() {
-    if (++index_ == part_->first_stretch + part_->count) ++part_;
+    if (++index_ == part_->first_interval + part_->count) ++part_;
     return *this;
   }
   [[nodiscard]] bool operator==(const Iterator& other) const { return index_ == other.index_; }
@@ -179,8 +179,8 @@ class Schedule::Iterator {
   const Part* part_;
 };
 
-inline Schedule::Iterator Schedule::Stretches::begin() const { return {*schedule_, 0}; }
-inline Schedule::Iterator Schedule::Stretches::end() const { return {*schedule_, size()}; }
+inline Schedule::Iterator Schedule::Intervales::begin() const { return {*schedule_, 0}; }
+inline Schedule::Iterator Schedule::Intervales::end() const { return {*schedule_, size()}; }
 
 /// Called at every sample in order, sample 0 included. At a breakpoint `segment` is the one that begins there
 /// (right-hand limit). Returning false ends the run after this sample.

@@ -55,14 +55,14 @@ class Exchange {
 
   /// Shows slot(me, epoch) to the others. From here on it must not be written before epoch + 2.
   void publish(Member& me, long epoch) {
-    me.disturb(epoch);
+    me.injectDelay(epoch);
     line(me.number(), epoch).epoch.store(epoch, std::memory_order_release);
     me.ring();
   }
 
   /// The values of owner at that epoch; valid until `me` publishes epoch + 1.
   [[nodiscard]] const double* await(Member& me, int owner, long epoch) {
-    me.disturb(epoch);
+    me.injectDelay(epoch);
     Line& shown = line(owner, epoch);
     long seen = 0;
     me.wait([&] { return (seen = shown.epoch.load(std::memory_order_acquire)) >= epoch; }, owner,

@@ -30,7 +30,7 @@ struct TeamPolicy {
   Pinning pinning = Pinning::kCores;
   Priority priority = Priority::kNormal;
   WaitingKind waiting = WaitingKind::kAuto;
-  std::function<void(int thread, long epoch)> disturb{};  // tests: called at every exchange by the thread itself
+  std::function<void(int thread, long epoch)> injectDelay{};  // tests: called at every exchange by the thread itself
   Tracer* tracer = nullptr;                               // watched where set; outlives the run
 };
 
@@ -72,9 +72,9 @@ class alignas(64) Member {
   void ring() { bells_[number_].ring(); }
 
   /// Lets a test delay this exchange.
-  void disturb(long epoch) const {
-    if (disturb_ != nullptr) [[unlikely]]
-      (*disturb_)(number_, epoch);
+  void injectDelay(long epoch) const {
+    if (inject_delay_ != nullptr) [[unlikely]]
+      (*inject_delay_)(number_, epoch);
   }
 
   /// Frame a step for the trace; both cost one branch without a tracer.
@@ -117,7 +117,7 @@ class alignas(64) Member {
         waiting_(team.waiting),
         bells_(team.bells),
         stopped_(&team.stopped),
-        disturb_(team.policy.disturb ? &team.policy.disturb : nullptr),
+        inject_delay_(team.policy.injectDelay ? &team.policy.injectDelay : nullptr),
         trace_(team.policy.tracer != nullptr ? &team.policy.tracer->thread(number) : nullptr) {}
 
   template <class Ready, class Wanted>
@@ -149,7 +149,7 @@ class alignas(64) Member {
   YieldMemory yields_;
   Doorbell* bells_;  // (threads)
   std::atomic<bool>* stopped_;
-  const std::function<void(int, long)>* disturb_;
+  const std::function<void(int, long)>* inject_delay_;
   ThreadTrace* trace_;
 };
 

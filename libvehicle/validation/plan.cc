@@ -38,8 +38,8 @@ class Planner {
   }
 
   void planForm(const std::string& form) {
-    if (const ProblemList misfits = formMisfits(form, model_.topology); !misfits.empty()) {
-      plan_.misfits.push_back({form, "", misfits[0].message});
+    if (const ProblemList unsupported = formUnsupported(form, model_.topology); !unsupported.empty()) {
+      plan_.unsupported.push_back({form, "", unsupported[0].message});
       return;
     }
     // A method that asks for a symmetric vehicle is run on the form where it can be, and else only said not to fit if
@@ -47,12 +47,12 @@ class Planner {
     const bool all = choice_.methods.empty();
     bool runs = false;
     for (const std::string& method : all ? methodNames() : choice_.methods) {
-      const std::string misfit = methodMisfit(method, form, model_);
-      if (misfit.empty()) {
+      const std::string unsupported = methodUnsupported(method, form, model_);
+      if (unsupported.empty()) {
         planMethod(form, method);
         runs = true;
       } else if (!all || !isSplitMethod(method)) {
-        plan_.misfits.push_back({form, method, misfit});
+        plan_.unsupported.push_back({form, method, unsupported});
       }
     }
     if (runs) return;

@@ -36,7 +36,7 @@ struct ValidationChoice {
 };
 
 /// A form that cannot represent the vehicle (method empty), or a method that cannot integrate the form.
-struct Misfit {
+struct Unsupported {
   std::string form;
   std::string method;
   std::string reason;
@@ -45,7 +45,7 @@ struct Misfit {
 /// What a case consists of, before anything of it is run.
 struct ValidationPlan {
   std::vector<RunKey> runs;  // number 0 is the reference; rk4 at the step that was chosen
-  std::vector<Misfit> misfits;
+  std::vector<Unsupported> unsupported;
   std::vector<std::string> notes;
 };
 

@@ -73,7 +73,7 @@ class Case {
     if (const std::string refusal = caseRefusal(plan, model_, scenario_, report_.speed); !refusal.empty()) {
       throw std::invalid_argument(refusal);
     }
-    report_.misfits = std::move(plan.misfits);
+    report_.unsupported = std::move(plan.unsupported);
     report_.notes = std::move(plan.notes);
     for (RunKey& key : plan.runs) {
       if (isRk4(key.method)) key.step = stepOf(key.form);

@@ -37,7 +37,7 @@ struct ValidationReport {
   std::string scenario;
   double speed = 0.0;               // [m/s]
   std::vector<ValidationRun> runs;  // number 0 is the reference: the exact solution of the matrix form
-  std::vector<Misfit> misfits;
+  std::vector<Unsupported> unsupported;
   std::vector<std::string> notes;
   Warnings warnings;                // where vehicle or motion are outside what the model can say
   std::vector<PairAgreement> pairs;  // of every two runs; those with the reference first; none of an interrupted case

@@ -51,9 +51,9 @@ House::House(const fs::path& root) {
     for (const std::string& word : call.arguments) {
       if (word == "USES") {
         list = &room.uses;
-      } else if (word == "PUBLICLY") {
+      } else if (word == "PUBLIC") {
         list = &room.publicly;
-      } else if (word == "PRIVATELY") {
+      } else if (word == "PRIVATE") {
         list = &room.privately;
       } else {
         list->insert(word);

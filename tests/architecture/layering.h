@@ -10,7 +10,7 @@ namespace vehicle::test {
 ///   - a room includes its own headers and those of the rooms that it USES, nothing along an undeclared arrow;
 ///   - a project header is included by its path from the root;
 ///   - a library's header stands only in rooms that declare the library, Simbody's in one file alone, those of the
-///     command line only in apps; what a room uses PRIVATELY never stands in its public headers;
+///     command line only in apps; what a room uses PRIVATE never stands in its public headers;
 ///   - a header that is neither standard, POSIX, ours nor in the table is unknown.
 [[nodiscard]] Violations wrongIncludes(const std::filesystem::path& root);
 

@@ -21,10 +21,10 @@ class Tree {
     put("libvehicle/CMakeLists.txt",
         "include(room.cmake)\n"
         "vehicle_room(units)  # vehicle_room(ghost)\n"
-        "vehicle_room(xml     USES units      PRIVATELY tinyxml2::tinyxml2 fmt::fmt)\n"
+        "vehicle_room(xml     USES units      PRIVATE tinyxml2::tinyxml2 fmt::fmt)\n"
         "vehicle_room(system  USES units\n"
-        "                     PUBLICLY Eigen3::Eigen)\n"
-        "vehicle_room(mbs     USES system     PRIVATELY vehicle_simbody)\n"
+        "                     PUBLIC Eigen3::Eigen)\n"
+        "vehicle_room(mbs     USES system     PRIVATE vehicle_simbody)\n"
         "vehicle_room(run     USES mbs system)\n");
     room("units", "quantity.h", "");
     room("xml", "reader.h", "#include <string>\n");

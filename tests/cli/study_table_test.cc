@@ -1,4 +1,4 @@
-// A study's tables for eyes, as CSV and as JSON, against the closed forms of one mass on a spring.
+// A study's tables for people, as CSV and as JSON, against the closed forms of one mass on a spring.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -73,8 +73,8 @@ TEST_P(Lanes, GiveTheScalarRunOverASharedRail) {
   expectScalarRuns(asymmetricDesigns(11), std::vector<const Input*>(11, &rail), everything(GetParam(), 0.3), true);
 }
 
-// Kinks off the samples and the steps: 3/20 s is sample 30 but for rounding, 7.45/20 s = 0.3725 s is not.
-TEST_P(Lanes, EndStepsOnTheKinksOfASharedOnset) {
+// Breakpoints off the samples and the steps: 3/20 s is sample 30 but for rounding, 7.45/20 s = 0.3725 s is not.
+TEST_P(Lanes, EndStepsOnTheBreakpointsOfASharedOnset) {
   const Input rail = railOf({.onset = true, .bump = 0.02});
   expectScalarRuns(asymmetricDesigns(9), std::vector<const Input*>(9, &rail), everything(GetParam()), true);
 }
@@ -87,8 +87,8 @@ TEST_P(Lanes, GiveTheScalarRunOverARailEach) {
   expectScalarRuns(asymmetricDesigns(11), rails, everything(GetParam(), 0.3), false);
 }
 
-// Every lane meets its own kinks at its own time, with polynomials, other numbers of harmonics and other lengths.
-TEST_P(Lanes, EndStepsOnTheKinksOfEachOnset) {
+// Every lane meets its own breakpoints at its own time, with polynomials, other numbers of harmonics and other lengths.
+TEST_P(Lanes, EndStepsOnTheBreakpointsOfEachOnset) {
   std::vector<Input> inputs;
   for (int i = 0; i < 11; ++i) {
     RailShape shape{.speed = 15.0 + 3.1 * i, .end = 1.2 + 0.1 * i, .onset = i % 3 != 2};
@@ -180,7 +180,7 @@ TEST_P(Lanes, KnowHowFarADesignWent) {
   }
 }
 
-// A measured rail: a cubic a sample of 7 ms, so that nearly every interval has a kink of its own place.
+// A measured rail: a cubic a sample of 7 ms, so that nearly every interval has a breakpoint of its own place.
 TEST_P(Lanes, FollowAStoredRail) {
   std::vector<Input> inputs;
   for (int i = 0; i < 5; ++i) {

@@ -59,7 +59,7 @@ inline ScalarRun scalarRun(const EnsembleDesign& design, const Input& rail, cons
   const Schedule schedule(rail, sampling);
   Rk4<FlatRhs, 8> stepper{FlatRhs(design.vehicle)};
   ColumnSummaries summaries(kFlatColumns);
-  auto next = schedule.stretches().begin();
+  auto next = schedule.intervales().begin();
   std::optional<SampleWeights> weights;
   const auto columns = [&](int segment, double t, std::span<const double> x) {
     std::array<double, 12> u{};
@@ -78,14 +78,14 @@ inline ScalarRun scalarRun(const EnsembleDesign& design, const Input& rail, cons
                  if (sample == 0) {
                    begin(segment, t, x);
                  } else {
-                   const Stretch stretch = *next;
+                   const Interval interval = *next;
                    const Schedule::Part& part = next.part();
-                   const std::size_t own = next.index() - part.first_stretch + 1;
-                   if (weights) summaries.add(t, (*weights)[own], columns(stretch.segment, t, x));
-                   regular = stretch.regular;
+                   const std::size_t own = next.index() - part.first_interval + 1;
+                   if (weights) summaries.add(t, (*weights)[own], columns(interval.segment, t, x));
+                   regular = interval.regular;
                    const bool ends = own == part.count;
                    ++next;
-                   if (ends && !(next == schedule.stretches().end())) begin(segment, t, x);
+                   if (ends && !(next == schedule.intervales().end())) begin(segment, t, x);
                  }
                  if (regular >= 0 && t >= sampling.count_from) made.history.push_back(columns(segment, t, x));
                  return true;

@@ -38,8 +38,8 @@ void expectPaperRail(History history, const std::string& name) {
   const Input input = inputOf(test::paperScenario(history), paperTopology(), 20.0);
   const Schedule schedule(input, 5e-3);
   ASSERT_EQ(schedule.samples(), 2001);
-  std::vector<int> segment_at(2001, schedule.stretches().front().segment);
-  for (const Stretch each : schedule.stretches()) {
+  std::vector<int> segment_at(2001, schedule.intervales().front().segment);
+  for (const Interval each : schedule.intervales()) {
     if (each.sample >= 0) segment_at[static_cast<std::size_t>(each.sample)] = each.next;
   }
   std::ifstream file(test::sourcePath("tests/excitation/data/") + name);
@@ -71,15 +71,15 @@ TEST(Excitation, ExtendedHistoryOfThePapersRailAgreesWithItsClosedFormInFortyDig
   expectPaperRail(History::kExtended, "paper_rail_extended.csv");
 }
 
-TEST(Excitation, KinksOfThePapersOnsetAreTheArrivalsOfItsWheels) {
+TEST(Excitation, BreakpointsOfThePapersOnsetAreTheArrivalsOfItsWheels) {
   const Input input = inputOf(test::paperScenario(History::kOnset), paperTopology(), 20.0);
-  const std::vector<double> kinks = kinksOf(input);
-  ASSERT_EQ(kinks.size(), 3u);  // the first wheel starts on s = 0
-  EXPECT_EQ(kinks[0], 30 * 5e-3);  // not (5.225 - 2.225) / 20 = 0.14999999999999997
-  EXPECT_DOUBLE_EQ(kinks[1], 0.3725);
-  EXPECT_DOUBLE_EQ(kinks[2], 0.5225);
+  const std::vector<double> breakpoints = breakpointsOf(input);
+  ASSERT_EQ(breakpoints.size(), 3u);     // the first wheel starts on s = 0
+  EXPECT_EQ(breakpoints[0], 30 * 5e-3);  // not (5.225 - 2.225) / 20 = 0.14999999999999997
+  EXPECT_DOUBLE_EQ(breakpoints[1], 0.3725);
+  EXPECT_DOUBLE_EQ(breakpoints[2], 0.5225);
   EXPECT_EQ(input.segment(3).angular_frequency.size(), 2u);
-  EXPECT_TRUE(kinksOf(inputOf(test::paperScenario(History::kExtended), paperTopology(), 20.0)).empty());
+  EXPECT_TRUE(breakpointsOf(inputOf(test::paperScenario(History::kExtended), paperTopology(), 20.0)).empty());
 }
 
 // ---- against the direct formula over distance
@@ -124,7 +124,7 @@ TEST(Excitation, AnyTrackIsTheProfileOverDistanceUnderEveryWheel) {
   }
 }
 
-TEST(Excitation, HeightIsContinuousAtEveryKink) {
+TEST(Excitation, HeightIsContinuousAtEveryBreakpoint) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const History history = seed % 2 == 0 ? History::kOnset : History::kExtended;
     const Input input = inputOf(scenarioOf(anyTrack(history, seed), 5.0), paperTopology(), 20.0);
@@ -133,8 +133,8 @@ TEST(Excitation, HeightIsContinuousAtEveryKink) {
     for (int i = 1; i < input.segments(); ++i) {
       input.evaluate(i - 1, input.segment(i).begin, before);
       input.evaluate(i, input.segment(i).begin, after);
-      // Rounding of the kink's time, 1e-15 s, at rates up to 2 m/s.
-      for (std::size_t j = 0; j < 4; ++j) EXPECT_WITHIN(before[j], after[j], 5e-15) << "kink " << i;
+      // Rounding of the breakpoint's time, 1e-15 s, at rates up to 2 m/s.
+      for (std::size_t j = 0; j < 4; ++j) EXPECT_WITHIN(before[j], after[j], 5e-15) << "breakpoint " << i;
     }
   }
 }
@@ -166,9 +166,9 @@ TEST(Excitation, OneMinusCosineDipIsThereForItsLengthUnderEachWheel) {
   const Input input = inputOf(scenarioOf(track, 5.0), paperTopology(), 20.0);
   // Wheels at 0, 3, 7.45, 10.45 m behind the leader: in from 1 s on, out 0.2 s later.
   const std::vector<double> expected{1.0, 1.15, 1.2, 1.35, 1.3725, 1.5225, 1.5725, 1.7225};
-  const std::vector<double> kinks = kinksOf(input);
-  ASSERT_EQ(kinks.size(), expected.size());
-  for (std::size_t i = 0; i < kinks.size(); ++i) EXPECT_DOUBLE_EQ(kinks[i], expected[i]);
+  const std::vector<double> breakpoints = breakpointsOf(input);
+  ASSERT_EQ(breakpoints.size(), expected.size());
+  for (std::size_t i = 0; i < breakpoints.size(); ++i) EXPECT_DOUBLE_EQ(breakpoints[i], expected[i]);
   std::vector<double> u(8);
   input.evaluate(1, 1.1, u);
   EXPECT_WITHIN(u[0], -10e-3, 1e-17);  // the bottom; rounding
@@ -176,35 +176,35 @@ TEST(Excitation, OneMinusCosineDipIsThereForItsLengthUnderEachWheel) {
 }
 
 // Axles 3 m apart and a half sine of 3 m: the second axle enters as the first one leaves, at 1.15 s up to rounding.
-TEST(Excitation, KinksOfTwoWheelsAtOneInstantAreOne) {
+TEST(Excitation, BreakpointsOfTwoWheelsAtOneInstantAreOne) {
   Track track;
   track.dips = {dip(DipShape::kHalfSine, 10e-3, 3.0, 20.0)};
   const Input input = inputOf(scenarioOf(track, 5.0), paperTopology(), 20.0);
-  EXPECT_EQ(kinksOf(input).size(), 6u);
+  EXPECT_EQ(breakpointsOf(input).size(), 6u);
   // Between samples as well (step 1 s), where nothing but their closeness joins them.
   Scenario coarse = scenarioOf(track, 5.0);
   coarse.run.output_step = 1.0;
   coarse.track->dips[0].start = 20.7;
-  EXPECT_EQ(kinksOf(inputOf(coarse, paperTopology(), 20.0)).size(), 6u);
+  EXPECT_EQ(breakpointsOf(inputOf(coarse, paperTopology(), 20.0)).size(), 6u);
 }
 
-TEST(Excitation, KinkOnAnOutputSampleIsThatSampleBitForBit) {
+TEST(Excitation, BreakpointOnAnOutputSampleIsThatSampleBitForBit) {
   Track track;
   track.dips = {dip(DipShape::kHalfSine, 10e-3, 1.0, 14.6)};
   for (const double speed : {20.0, 7.3, 14.6}) {
-    const std::vector<double> kinks = kinksOf(inputOf(scenarioOf(track, 4.0), paperTopology(), speed));
+    const std::vector<double> breakpoints = breakpointsOf(inputOf(scenarioOf(track, 4.0), paperTopology(), speed));
     int samples = 0;
-    for (const double kink : kinks) {
-      const double index = std::round(kink / 5e-3);
-      if (std::abs(kink - index * 5e-3) > 5e-12) continue;
+    for (const double breakpoint : breakpoints) {
+      const double index = std::round(breakpoint / 5e-3);
+      if (std::abs(breakpoint - index * 5e-3) > 5e-12) continue;
       ++samples;
-      EXPECT_EQ(kink, index * 5e-3) << speed;
+      EXPECT_EQ(breakpoint, index * 5e-3) << speed;
     }
     EXPECT_GE(samples, 1) << speed;
   }
 }
 
-TEST(Excitation, KinksOutsideTheRunAreNoKinks) {
+TEST(Excitation, BreakpointsOutsideTheRunAreNoBreakpoints) {
   Track track;
   track.history = History::kExtended;
   track.dips = {dip(DipShape::kHalfSine, 10e-3, 1.0, -40.0),   // behind the vehicle
@@ -212,9 +212,9 @@ TEST(Excitation, KinksOutsideTheRunAreNoKinks) {
                 dip(DipShape::kHalfSine, 10e-3, 40.0, -20.0),  // all wheels are in it at t = 0
                 dip(DipShape::kHalfSine, 0.0, 5.0, 50.0)};     // no dip at all
   track.ramps = {ramp(1e-3, 5.0, 1e5)};
-  const std::vector<double> kinks = kinksOf(inputOf(scenarioOf(track, 5.0), paperTopology(), 20.0));
-  ASSERT_EQ(kinks.size(), 4u);  // the wheels leave the third dip at s = 20
-  EXPECT_DOUBLE_EQ(kinks[0], 1.0);
+  const std::vector<double> breakpoints = breakpointsOf(inputOf(scenarioOf(track, 5.0), paperTopology(), 20.0));
+  ASSERT_EQ(breakpoints.size(), 4u);  // the wheels leave the third dip at s = 20
+  EXPECT_DOUBLE_EQ(breakpoints[0], 1.0);
 }
 
 TEST(Excitation, ExtendedHistoryMayStartInsideADipAndOnTopOfARamp) {
@@ -233,12 +233,12 @@ TEST(Excitation, ExtendedHistoryMayStartInsideADipAndOnTopOfARamp) {
   for (std::size_t j = 0; j < 4; ++j) EXPECT_WITHIN(u[j], 38e-3, 1e-16);
 }
 
-TEST(Excitation, FadeInIsThreeSinusoidsAndEndsInAKinkPerWheel) {
+TEST(Excitation, FadeInIsThreeSinusoidsAndEndsInABreakpointPerWheel) {
   Scenario scenario = test::paperScenario(History::kOnset);
   scenario.track->fade_in = 50.0;
   scenario.track->harmonics = {test::harmonic(25.0, 1.0, 5e-3, 1.0)};
   const Input input = inputOf(scenario, paperTopology(), 20.0);
-  EXPECT_EQ(kinksOf(input).size(), 3u + 4u);  // arrivals at s = 0, arrivals at s = 50 m
+  EXPECT_EQ(breakpointsOf(input).size(), 3u + 4u);  // arrivals at s = 0, arrivals at s = 50 m
   EXPECT_EQ(input.segment(3).angular_frequency.size(), 3u);
   EXPECT_EQ(input.segment(7).angular_frequency.size(), 1u);
   std::vector<double> u(12);
@@ -282,7 +282,7 @@ TEST(Excitation, ThousandDipsCostOnlyTheTermsThatAreAlive) {
   for (int i = 0; i < 1000; ++i) track.dips.push_back(dip(DipShape::kHalfSine, 1e-3, 0.5 + 1e-4 * i, 7.0 + i));
   for (int i = 0; i < 1000; ++i) track.ramps.push_back(ramp(i % 2 == 0 ? 1e-3 : -1e-3, 0.3, 7.6 + i));
   const Input input = inputOf(scenarioOf(track, 60.0), paperTopology(), 20.0);
-  EXPECT_GT(input.segments(), 10'000);  // 16 000 kinks, of which axles 3 m apart share many
+  EXPECT_GT(input.segments(), 10'000);  // 16 000 breakpoints, of which axles 3 m apart share many
   for (int i = 0; i < input.segments(); ++i) EXPECT_LE(input.segment(i).angular_frequency.size(), 5u);
   std::vector<double> u(8);
   input.evaluate(input.segments() - 1, 59.9, u);

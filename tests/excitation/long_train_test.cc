@@ -33,7 +33,7 @@ TEST(LongTrain, MeetsAnOnsetWheelByWheel) {
 }
 
 // 3000 wheelsets in 1000 s at 20 m/s: all of them meet the onset, 3000 pieces x 3000 wheelsets x 24 numbers of 8 bytes.
-TEST(LongTrain, IsRefusedWhereItsKinksWouldFillTheMemory) {
+TEST(LongTrain, IsRefusedWhereItsBreakpointsWouldFillTheMemory) {
   Scenario scenario = test::paperScenario(History::kOnset);
   scenario.run.duration = 1000.0;
   scenario.track->origin.file = "track.xml";

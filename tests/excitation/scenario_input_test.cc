@@ -37,7 +37,7 @@ TEST(Excitation, DistanceLastsAsTheChosenSpeedSays) {
   scenario.run.distance = 200.0;
   EXPECT_EQ(inputOf(scenario, paperTopology(), 20.0).end(), 10.0);
   EXPECT_EQ(inputOf(scenario, paperTopology(), 40.0).end(), 5.0);
-  EXPECT_DOUBLE_EQ(kinksOf(inputOf(scenario, paperTopology(), 40.0)).back(), 10.45 / 40.0);
+  EXPECT_DOUBLE_EQ(breakpointsOf(inputOf(scenario, paperTopology(), 40.0)).back(), 10.45 / 40.0);
 }
 
 TEST(Excitation, RigDrivesTheWheelsetsItNames) {
@@ -108,7 +108,7 @@ TEST(Excitation, OnsetCutsFeaturesBehindItAndRefusesTheJumpThatMakes) {
   Track track;
   track.dips = {dip(DipShape::kHalfSine, 10e-3, 2.0, -5.0)};
   EXPECT_EQ(refusalOf(scenarioOf(track, 5.0)), "accepted");
-  EXPECT_TRUE(kinksOf(inputOf(scenarioOf(track, 5.0), paperTopology(), 20.0)).empty());
+  EXPECT_TRUE(breakpointsOf(inputOf(scenarioOf(track, 5.0), paperTopology(), 20.0)).empty());
   track.ramps = {ramp(4e-3, 2.0, -5.0)};
   EXPECT_EQ(refusalOf(scenarioOf(track, 5.0)),
             "error: <scenario><track>: the height jumps by 0.004 m where history=\"onset\" begins (s = 0); must begin "

@@ -85,9 +85,9 @@ TEST(FlatEquationSet, NamesEquationsByTheirBody) {
   EXPECT_EQ(equations[3].name, "rear_bogie bounce (5)");
 }
 
-// Every stretch of equations, on arrays that hold what its equations say they read and NaN everywhere else: an
+// Every interval of equations, on arrays that hold what its equations say they read and NaN everywhere else: an
 // undeclared read would show as NaN, a wrong offset as another number.
-TEST(FlatEquationSet, EveryStretchReadsWhatItDeclaresAndGivesTheBitsOfTheWhole) {
+TEST(FlatEquationSet, EveryIntervalReadsWhatItDeclaresAndGivesTheBitsOfTheWhole) {
   const FlatEquationSet set = mixedTrain();
   const int equations = set.size() / 2;
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -95,21 +95,21 @@ TEST(FlatSplit, TheWayThereAndBackLeavesTheStateAsItWas) {
 }
 
 TEST(FlatSplit, AnAsymmetricVehicleIsToldWhatDiffers) {
-  EXPECT_EQ(splitMisfit(*buildFlatForm(compile(paperVehicle(), kGravity))), "");
+  EXPECT_EQ(splitUnsupported(*buildFlatForm(compile(paperVehicle(), kGravity))), "");
   Vehicle heavier = paperVehicle();
   named(heavier.bodies, "rear_bogie").mass = 9.5e3;
   const auto form = buildFlatForm(compile(heavier, kGravity));
-  const std::string misfit = splitMisfit(*form);
-  EXPECT_EQ(misfit,
+  const std::string unsupported = splitUnsupported(*form);
+  EXPECT_EQ(unsupported,
             "bounce and pitch are independent only where front and rear of a vehicle are equal, and here they differ: "
             "mass of the front bogie = 9000 kg, of the rear one = 9500 kg");
   try {
     (void)FlatSplit(*form);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(error.what(), misfit);
+    EXPECT_EQ(error.what(), unsupported);
   }
-  const std::string all = splitMisfit(*buildFlatForm(compile(asymmetricVehicle(), kGravity)));
+  const std::string all = splitUnsupported(*buildFlatForm(compile(asymmetricVehicle(), kGravity)));
   for (const char* what : {"mass of the front bogie", "arm of", "stiffness of the front secondary",
                            "damping of the front secondary", "primary stiffness of wheel 1", "of wheel 4"}) {
     EXPECT_NE(all.find(what), std::string::npos) << what << " in: " << all;
@@ -118,7 +118,8 @@ TEST(FlatSplit, AnAsymmetricVehicleIsToldWhatDiffers) {
 
 TEST(FlatSplit, APrintedVariantIsRefused) {
   const auto form = buildFlatForm(compile(paperVehicle(), kGravity), FlatVariant::kPrinted7);
-  EXPECT_EQ(splitMisfit(*form), "bounce and pitch are independent in the form flat only; this is a printed variant");
+  EXPECT_EQ(splitUnsupported(*form),
+            "bounce and pitch are independent in the form flat only; this is a printed variant");
 }
 
 }  // namespace

@@ -355,19 +355,19 @@ TEST(FlatSystem, IsTheFlatFormOfAVehicleAndATrainOfSeveral) {
       dynamic_cast<FlatForm*>(buildFlatSystem(compile(assembled(equalTrain(paperVehicle(), 1, 16.0)), kGravity)).get()),
       nullptr);
   EXPECT_NE(dynamic_cast<FlatTrain*>(buildFlatSystem(compile(assembled(mixedTrain()), kGravity)).get()), nullptr);
-  EXPECT_EQ(flatSystemMisfits(topologyOf(assembled(mixedTrain()))).text(), "");
-  EXPECT_EQ(flatSystemMisfits(topologyOf(paperVehicle())).text(), "");
-  EXPECT_EQ(flatSystemMisfits(topologyOf(bogiePitchVehicle())).text(),
-            flatMisfits(topologyOf(bogiePitchVehicle()), FlatVariant::kConsistent).text());
+  EXPECT_EQ(flatSystemUnsupported(topologyOf(assembled(mixedTrain()))).text(), "");
+  EXPECT_EQ(flatSystemUnsupported(topologyOf(paperVehicle())).text(), "");
+  EXPECT_EQ(flatSystemUnsupported(topologyOf(bogiePitchVehicle())).text(),
+            flatUnsupported(topologyOf(bogiePitchVehicle()), FlatVariant::kConsistent).text());
 }
 
-TEST(FlatSystem, TellsTheMisfitsOfVehiclesFromOneFileOnce) {
+TEST(FlatSystem, TellsTheUnsupportedOfVehiclesFromOneFileOnce) {
   Train train = equalTrain(bogiePitchVehicle(), 3, 26.0);
   for (std::size_t b = 0; b < 3; ++b) {
     train.vehicles[0].vehicle.bodies[b].origin.file = "coach.xml";
     train.vehicles[0].vehicle.bodies[b].origin.line = 40 + static_cast<int>(b);
   }
-  EXPECT_EQ(flatSystemMisfits(topologyOf(assembled(train))).text(),
+  EXPECT_EQ(flatSystemUnsupported(topologyOf(assembled(train))).text(),
             "coach.xml:41: error: <vehicle><body name=\"coach_1.front_bogie\">: has a pitch motion; the form flat "
             "computes the bounce of a bogie and no pitch; take the form matrix, which computes both\n"
             "coach.xml:42: error: <vehicle><body name=\"coach_1.rear_bogie\">: has a pitch motion; the form flat "
@@ -380,18 +380,18 @@ TEST(FlatSystem, RefusesCouplingsThatMakeNoChain) {
   Suspension second = named(train.suspensions, "coupling_1");
   second.name = "spare";
   train.suspensions.push_back(second);
-  EXPECT_EQ(flatSystemMisfits(topologyOf(train)).text(),
+  EXPECT_EQ(flatSystemUnsupported(topologyOf(train)).text(),
             "error: <suspension name=\"spare\">: stands beside \"coupling_1\" between the same vehicles; the form "
             "flat computes one coupling there; take the form matrix, which computes any train\n");
   train.suspensions.back().lower = "coach_3.carbody";
-  EXPECT_EQ(flatSystemMisfits(topologyOf(train)).text(),
+  EXPECT_EQ(flatSystemUnsupported(topologyOf(train)).text(),
             "error: <suspension name=\"spare\">: joins \"coach_1.carbody\" to \"coach_3.carbody\", which do not "
             "follow each other; the form flat computes couplings between neighbours; take the form matrix, which "
             "computes any train\n");
 }
 
 TEST(FlatSystem, ThePrintedVariantsKnowOneVehicle) {
-  EXPECT_EQ(flatMisfits(topologyOf(assembled(equalTrain(paperVehicle(), 2, 16.0))), FlatVariant::kLiteral).text(),
+  EXPECT_EQ(flatUnsupported(topologyOf(assembled(equalTrain(paperVehicle(), 2, 16.0))), FlatVariant::kLiteral).text(),
             "error: <train name=\"equal\">: is a train; the printed equations are of one vehicle; take the form "
             "flat\n");
 }

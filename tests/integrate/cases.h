@@ -120,7 +120,7 @@ inline DrivenMass bounce() {
   return {m, c, k, c, k};
 }
 
-// Kinks fall on neither samples nor steps: 0.3137 s, 0.4691 s beside multiples of 5 or 10 ms.
+// Breakpoints fall on neither samples nor steps: 0.3137 s, 0.4691 s beside multiples of 5 or 10 ms.
 inline std::vector<RailPiece> flatRail(double end = 3.0) { return {{0.0, end, 0.0, 0.0, {}}}; }
 inline std::vector<RailPiece> sineRail(double end = 3.0) {
   return {{0.0, end, 0.0, 0.0, {{5.0, {0.003, -0.004}}, {15.0, {0.0, -0.002}}}}};

@@ -72,7 +72,7 @@ TEST(Dopri5, DenseOutputMeetsBothEndsOfTheStep) {
   EXPECT_WITHIN(x[1], stepper.proposal()[1], 1e-16);
 }
 
-TEST(Dopri5, EvaluationsAreSixAnAttemptAndOneAtEveryKinkAndTwoToBegin) {
+TEST(Dopri5, EvaluationsAreSixAnAttemptAndOneAtEveryBreakpointAndTwoToBegin) {
   const Case problem = caseOf("dip", bounce(), halfSineDipRail());
   Statistics statistics;
   (void)errorAt(problem, {.relative = 1e-8, .absolute = 1e-12}, &statistics);

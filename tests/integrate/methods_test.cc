@@ -68,7 +68,7 @@ TYPED_TEST(EveryMethod, RestOnFlatRailStaysAtRest) {
   EXPECT_EQ(samples, 301);
 }
 
-TYPED_TEST(EveryMethod, FollowsTheClosedFormWithinAndAcrossKinks) {
+TYPED_TEST(EveryMethod, FollowsTheClosedFormWithinAndAcrossBreakpoints) {
   for (const Case& problem : allCases()) {
     EXPECT_WITHIN(worstError(problem, 0.01, TypeParam::run), 0.0, TypeParam::kError) << problem.name;
   }
@@ -90,7 +90,7 @@ TYPED_TEST(EveryMethod, IntegratesACubicExactly) {
 }
 
 TYPED_TEST(EveryMethod, ShowsEverySampleOnceInOrderWithTheSegmentToItsRight) {
-  // The second kink, 0.47 s, is sample 47.
+  // The second breakpoint, 0.47 s, is sample 47.
   const double w = std::acos(-1.0) / (0.47 - 0.3137);
   const std::vector<RailPiece> rail = {
       {0.0, 0.3137, 0.0, 0.0, {}}, {0.3137, 0.47, 0.0, 0.0, {{w, {0.0, 0.01}}}}, {0.47, 3.0, 0.0, 0.0, {}}};
@@ -100,7 +100,7 @@ TYPED_TEST(EveryMethod, ShowsEverySampleOnceInOrderWithTheSegmentToItsRight) {
   TypeParam::run(problem.system, problem.input, schedule, problem.start,
                  [&](int sample, int segment, double t, std::span<const double> x) {
                    EXPECT_EQ(sample, next++);
-                   // The kink is said as 0.47 s, the sample as 47 x 0.01 s: one rounding apart.
+                   // The breakpoint is said as 0.47 s, the sample as 47 x 0.01 s: one rounding apart.
                    EXPECT_WITHIN(t, schedule.time(sample), 1e-15);
                    EXPECT_EQ(segment, t < 0.3137 ? 0 : sample < 47 ? 1 : 2) << sample;
                    EXPECT_EQ(x.size(), 2u);

@@ -19,8 +19,8 @@ double errorAt(const Case& problem, int refine) {
 
 // Order 4: half the step, 1/16 of the error. At w h <= 0.1 the next term changes the ratio by some w h / 5 = 2 %, and
 // rounding (1e-15) is six decades below the error. Error = the largest over the run: at a single instant it may sit
-// on a zero and lie about the order. Straddled kinks would give a ratio near 2.
-TEST(Rk4, HalvingEveryStepDividesTheErrorBySixteenAcrossKinksToo) {
+// on a zero and lie about the order. Straddled breakpoints would give a ratio near 2.
+TEST(Rk4, HalvingEveryStepDividesTheErrorBySixteenAcrossBreakpointsToo) {
   for (const Case& problem : allCases()) {
     const double ratio = errorAt(problem, 1) / errorAt(problem, 2);
     EXPECT_GT(ratio, 15.0) << problem.name;
@@ -76,7 +76,7 @@ TEST(Rk4, StaticAndVirtualPathGiveTheSameBits) {
 }
 
 TEST(Rk4, CutOfTheInputIntoBlocksLeavesNoTrace) {
-  // One stretch of 3 s in 3000 steps, against the same steps with the input of each asked by itself.
+  // One interval of 3 s in 3000 steps, against the same steps with the input of each asked by itself.
   const Case problem = caseOf("sine", bounce(), sineRail(), {0.002, 0.01});
   const auto run = [](const auto& s, const auto& i, const auto& g, const auto& x, const auto& o) {
     return runRk4(s, i, g, {.step = 1e-3}, x, o);
@@ -99,8 +99,8 @@ TEST(Rk4, CutOfTheInputIntoBlocksLeavesNoTrace) {
   EXPECT_WITHIN(error, asked, 1e-12);
 }
 
-TEST(Rk4, FourEvaluationsAStepAndStepsThatDivideEveryStretch) {
-  // Stretches of 10 ms, of 3.7 + 6.3 ms around the kink at 0.3137 s, all in steps of at most 4 ms, each cut in two.
+TEST(Rk4, FourEvaluationsAStepAndStepsThatDivideEveryInterval) {
+  // Intervales of 10 ms, of 3.7 + 6.3 ms around the breakpoint at 0.3137 s, all in steps of at most 4 ms, each cut in two.
   const Case problem = caseOf("onset", bounce(), sineOnsetRail());
   long calls = 0;
   const ExpressionSystem counted(2, 1, [&](const double* x, const double* u, double* dx) {
@@ -116,23 +116,23 @@ TEST(Rk4, FourEvaluationsAStepAndStepsThatDivideEveryStretch) {
   EXPECT_EQ(statistics.rejected, 0);
 }
 
-TEST(StepGrid, SharesWholeOutputStepsOfOneSegmentAndStopsAtTheKink) {
+TEST(StepGrid, SharesWholeOutputStepsOfOneSegmentAndStopsAtTheBreakpoint) {
   const Input input = inputOf({sineOnsetRail(0.3137)});
   const Schedule schedule(input, 0.01);
   const StepGrid before = stepGridAt(schedule, 0, {.step = 4e-3});
   EXPECT_EQ(before.count, 31u);
   EXPECT_EQ(before.steps, 3);
   EXPECT_DOUBLE_EQ(before.h, 0.01 / 3);
-  const StepGrid to_kink = stepGridAt(schedule, 31, {.step = 4e-3});
-  EXPECT_EQ(to_kink.count, 1u);
-  EXPECT_WITHIN(to_kink.h, 0.0037, 1e-15);  // a difference of instants
-  const StepGrid from_kink = stepGridAt(schedule, 32, {.step = 4e-3});
-  EXPECT_EQ(from_kink.count, 1u);
-  EXPECT_WITHIN(2 * from_kink.h, 0.0063, 1e-15);
+  const StepGrid to_breakpoint = stepGridAt(schedule, 31, {.step = 4e-3});
+  EXPECT_EQ(to_breakpoint.count, 1u);
+  EXPECT_WITHIN(to_breakpoint.h, 0.0037, 1e-15);  // a difference of instants
+  const StepGrid from_breakpoint = stepGridAt(schedule, 32, {.step = 4e-3});
+  EXPECT_EQ(from_breakpoint.count, 1u);
+  EXPECT_WITHIN(2 * from_breakpoint.h, 0.0063, 1e-15);
   EXPECT_EQ(stepGridAt(schedule, 33, {.step = 4e-3}).count, 268u);  // 0.32 s .. 3 s
 }
 
-TEST(StepGrid, KinkOnASampleDividesIt) {
+TEST(StepGrid, BreakpointOnASampleDividesIt) {
   const Input input = inputOf({sineOnsetRail(0.31)});
   const Schedule schedule(input, 0.01);
   EXPECT_EQ(stepGridAt(schedule, 0, {}).count, 31u);

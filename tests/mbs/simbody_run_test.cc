@@ -67,7 +67,7 @@ struct BaseExcitedMass {
   }
 };
 
-// Nothing, then half a sine of 20 ms between two output samples 50 ms apart, then nothing: both kinks lie between
+// Nothing, then half a sine of 20 ms between two output samples 50 ms apart, then nothing: both breakpoints lie between
 // samples, and a step that saw past one would be wrong by far more than the tolerance. An integrator that is free
 // to choose its first step goes over the whole bump.
 TEST(SimbodyRun, BumpBetweenOutputSamplesHasTheClosedForm) {
@@ -90,7 +90,7 @@ TEST(SimbodyRun, BumpBetweenOutputSamplesHasTheClosedForm) {
   EXPECT_EQ(next, schedule.samples());
   EXPECT_GT(peak, 1e-3);
   // The integrator's own error: 1e-12 a step on the scale of 1 m, adding up over some ten steps of a damped motion
-  // (seen: 1.2e-11 m). A step across one of the kinks would err by 1e-6 m.
+  // (seen: 1.2e-11 m). A step across one of the breakpoints would err by 1e-6 m.
   EXPECT_WITHIN(worst, 0.0, 5e-11);
   EXPECT_GT(statistics.steps, 60);
   EXPECT_GT(statistics.evaluations, 4 * statistics.steps);
@@ -98,9 +98,9 @@ TEST(SimbodyRun, BumpBetweenOutputSamplesHasTheClosedForm) {
 }
 
 // An accuracy so loose that every step of 1 ms is taken: what is left is order 4 at w h = 0.16, about 1e-9 m here. A
-// step that began with the derivative from before the kink would be off by (c eta'/m) h/6 = 2 mm/s, 1e-5 m, and only
+// step that began with the derivative from before the breakpoint would be off by (c eta'/m) h/6 = 2 mm/s, 1e-5 m, and only
 // a tight accuracy would hide it behind rejected steps.
-TEST(SimbodyRun, TheStepAfterAKinkStartsFromTheRightHandLimit) {
+TEST(SimbodyRun, TheStepAfterABreakpointStartsFromTheRightHandLimit) {
   const double w = M_PI / 0.02, amplitude = 0.01, start = 0.1135, end = start + 0.02;
   const Input input(1, {flat(1, 0.0, start, 0.0), sine(start, end, amplitude, w), flat(1, end, 0.5, 0.0)});
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
@@ -116,12 +116,12 @@ TEST(SimbodyRun, TheStepAfterAKinkStartsFromTheRightHandLimit) {
         return true;
       });
   EXPECT_EQ(statistics.rejected, 0);
-  EXPECT_EQ(statistics.steps, 502);  // 500 between samples, one more for each kink
+  EXPECT_EQ(statistics.steps, 502);  // 500 between samples, one more for each breakpoint
   EXPECT_WITHIN(worst, 0.0, 5e-8);
 }
 
-// On a kink that is an output sample the observer is told the segment that begins there.
-TEST(SimbodyRun, SampleOnAKinkBelongsToTheSegmentThatBegins) {
+// On a breakpoint that is an output sample the observer is told the segment that begins there.
+TEST(SimbodyRun, SampleOnABreakpointBelongsToTheSegmentThatBegins) {
   const Input input(1, {flat(1, 0.0, 0.1, 0.0), sine(0.1, 0.3, 0.01, 5.0)});
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   std::vector<int> segments;

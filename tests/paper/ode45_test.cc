@@ -25,8 +25,10 @@ class Ode45 {
  public:
   /// @param tolerances  as Octave reads them: "1e-3, 1e-6"
   /// @returns Octave's exit status
-  [[nodiscard]] int run(const std::string& history, const std::string& tolerances, const std::string& kinks) const {
-    const std::string call = "paper_ode45('" + history + "', " + tolerances + ", '" + file() + "', '" + kinks + "')";
+  [[nodiscard]] int run(const std::string& history, const std::string& tolerances,
+                        const std::string& breakpoints) const {
+    const std::string call =
+        "paper_ode45('" + history + "', " + tolerances + ", '" + file() + "', '" + breakpoints + "')";
     const std::string command = std::string(VEHICLE_OCTAVE) + " --no-gui --norc --quiet --no-history --path '" +
                                 sourcePath("docs/matlab") + "' --eval \"" + call + "\" 2>'" + folder_.path("messages") +
                                 "'";
@@ -39,9 +41,9 @@ class Ode45 {
 };
 
 /// Largest difference of the eight states over the run, each as a share of its peak in the exact solution.
-double differenceOf(const std::string& history, const std::string& tolerances, const std::string& kinks) {
+double differenceOf(const std::string& history, const std::string& tolerances, const std::string& breakpoints) {
   const Ode45 ode45;
-  if (ode45.run(history, tolerances, kinks) != 0) return INFINITY;
+  if (ode45.run(history, tolerances, breakpoints) != 0) return INFINITY;
   const auto theirs = readTable(ode45.file());
 
   RunChoice choice;
@@ -68,16 +70,16 @@ double differenceOf(const std::string& history, const std::string& tolerances, c
   return worst;
 }
 
-// The paper's own check. One call over four kinks with a step of some 30 ms: within the steps that straddle a kink
+// The paper's own check. One call over four breakpoints with a step of some 30 ms: within the steps that straddle a breakpoint
 // the jump of eta' (w a1 + 3 w a2 = 0.055 m/s) acts up to a step too early or too late, which is per cents of the
 // velocities' peaks (seen: 2.4e-2). A misread equation shows as 5e-2 and more in the errata's table.
-TEST(PaperOde45, DefaultTolerancesOverTheKinksOfOnsetAgreeWithinFivePerCent) {
+TEST(PaperOde45, DefaultTolerancesOverTheBreakpointsOfOnsetAgreeWithinFivePerCent) {
   const double difference = differenceOf("onset", "1e-3, 1e-6", "through");
   EXPECT_WITHIN(difference, 0.0, 5e-2);
-  EXPECT_GT(difference, 1e-3) << "ode45 cannot be this good across kinks: is the rail flat before the profile?";
+  EXPECT_GT(difference, 1e-3) << "ode45 cannot be this good across breakpoints: is the rail flat before the profile?";
 }
 
-// No kinks: what is left is ode45's tolerance of 1e-3 a step on a damped system (seen: 1.8e-4).
+// No breakpoints: what is left is ode45's tolerance of 1e-3 a step on a damped system (seen: 1.8e-4).
 TEST(PaperOde45, DefaultTolerancesOnExtendedAgreeWithinTheTolerance) {
   EXPECT_WITHIN(differenceOf("extended", "1e-3, 1e-6", "through"), 0.0, 1e-3);
 }
@@ -88,7 +90,7 @@ TEST(PaperOde45, TightTolerancesOnExtendedAgreeToTenDigits) {
   EXPECT_WITHIN(differenceOf("extended", "1e-10, 1e-12", "through"), 0.0, 2e-10);
 }
 
-TEST(PaperOde45, TightTolerancesFromKinkToKinkOnOnsetAgreeToTenDigits) {
+TEST(PaperOde45, TightTolerancesFromBreakpointToBreakpointOnOnsetAgreeToTenDigits) {
   EXPECT_WITHIN(differenceOf("onset", "1e-10, 1e-12", "stop"), 0.0, 2e-10);
 }
 
@@ -102,8 +104,8 @@ TEST(PaperOde45, TheDifferenceShrinksWithTheTolerance) {
   EXPECT_LT(fine, middle / 10.0);
 }
 
-// Why the script can stop at kinks: at the same tolerance a call over them is worse, although it takes more steps.
-TEST(PaperOde45, StoppingAtKinksIsMoreAccurateThanStraddlingThem) {
+// Why the script can stop at breakpoints: at the same tolerance a call over them is worse, although it takes more steps.
+TEST(PaperOde45, StoppingAtBreakpointsIsMoreAccurateThanStraddlingThem) {
   const double stopping = differenceOf("onset", "1e-7, 1e-9", "stop");
   const double straddling = differenceOf("onset", "1e-7, 1e-9", "through");
   EXPECT_WITHIN(stopping, 0.0, 1e-6);

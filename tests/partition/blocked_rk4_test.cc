@@ -32,7 +32,7 @@ struct Problem {
 
   explicit Problem(MassGraph masses)
       : system(std::move(masses)),
-        input(wavesWithKinks(system.channels())),
+        input(wavesWithBreakpoints(system.channels())),
         schedule(input, 0.3),
         start(startOf(system)),
         cut({system, input, schedule, start}),

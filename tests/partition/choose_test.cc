@@ -25,9 +25,9 @@ class TestClock {
               const std::vector<double> x(8, 0.0);
               if (!observe(0, 0, 0.0, x)) return;
               const double step = step_time();
-              for (const Stretch stretch : schedule.stretches()) {
-                pass(step * stepsOf(stretch.end - stretch.begin, {1e-3}));
-                if (stretch.sample >= 0 && !observe(stretch.sample, stretch.next, stretch.end, x)) return;
+              for (const Interval interval : schedule.intervales()) {
+                pass(step * stepsOf(interval.end - interval.begin, {1e-3}));
+                if (interval.sample >= 0 && !observe(interval.sample, interval.next, interval.end, x)) return;
               }
             }};
   }
@@ -46,13 +46,13 @@ struct LongRun {
   Input input = paperExtended(10000.0);
   Schedule schedule{input, 10000.0};
   RunProblem run{system, input, schedule};
-  WayProblem problem{.run = run, .steps = stepsOfRun(schedule, {1e-3}), .now = [this] { return clock.now(); }};
+  TuningProblem problem{.run = run, .steps = stepsOfRun(schedule, {1e-3}), .now = [this] { return clock.now(); }};
 };
 
 TEST(Choose, CountsTheStepsOfARun) {
   EXPECT_EQ(LongRun().problem.steps, 10'000'000);
   const Input onset = paperOnset(10.0);
-  EXPECT_EQ(stepsOfRun(Schedule(onset, 5e-3), {1e-3}), 10'002);  // two kinks cut a step in halves
+  EXPECT_EQ(stepsOfRun(Schedule(onset, 5e-3), {1e-3}), 10'002);  // two breakpoints cut a step in halves
 }
 
 TEST(Choose, LooksAtPowersOfTwoAndAtAllCores) {

@@ -91,7 +91,7 @@ TEST(IndependentParts, EveryNumberOfThreadsShowsTheBitsOfTheSerialRuns) {
   for (const int threads : {1, 2, 3, 4}) {
     const Met met = runOn(problem, threads);
     EXPECT_EQ(met.rows, serial) << threads << " threads";
-    EXPECT_EQ(met.statistics.steps, 12002);  // 12 s of 1 ms; two kinks cut a step in halves
+    EXPECT_EQ(met.statistics.steps, 12002);  // 12 s of 1 ms; two breakpoints cut a step in halves
     EXPECT_EQ(met.statistics.evaluations, 4 * 4 * met.statistics.steps);
     EXPECT_EQ(met.team, threads == 1 ? 0u : static_cast<std::size_t>(threads));
   }
@@ -103,7 +103,7 @@ TEST(IndependentParts, RandomDelaysChangeNoBit) {
   for (const int slow : {0, 1}) {
     TeamPolicy team;
     std::array<std::minstd_rand, 2> generators{std::minstd_rand(7), std::minstd_rand(11)};
-    team.disturb = [&](int thread, long) {
+    team.injectDelay = [&](int thread, long) {
       auto& draw = generators[static_cast<std::size_t>(thread)];
       if (draw() % (thread == slow ? 40 : 400) != 0) return;
       std::this_thread::sleep_for(std::chrono::microseconds(draw() % 300));

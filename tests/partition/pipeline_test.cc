@@ -99,11 +99,11 @@ TEST(Pipeline, EveryNumberOfThreadsGivesTheBitsOfTheSerialRun) {
 }
 
 /// Sleeps now and then, long enough for a claimed parcel to be computed again.
-TeamPolicy disturbed(int threads, int longest_us, unsigned seed) {
+TeamPolicy delayed(int threads, int longest_us, unsigned seed) {
   TeamPolicy team;
   auto generators = std::make_shared<std::vector<std::minstd_rand>>();
   for (int i = 0; i < threads; ++i) generators->emplace_back(seed + 17u * static_cast<unsigned>(i));
-  team.disturb = [generators, longest_us](int thread, long) {
+  team.injectDelay = [generators, longest_us](int thread, long) {
     auto& draw = (*generators)[static_cast<std::size_t>(thread)];
     draw();
     if (draw() % 5 != 0) return;
@@ -121,7 +121,7 @@ TEST(Pipeline, RandomDelaysAtEveryClaimChangeNoBit) {
     const Met expected = serial(*input, schedule, step);
     for (const int threads : {2, 3, 4}) {
       for (const int longest_us : {50, 1500}) {
-        const Met met = pipelined(*input, schedule, step, threads, disturbed(threads, longest_us, 5));
+        const Met met = pipelined(*input, schedule, step, threads, delayed(threads, longest_us, 5));
         EXPECT_EQ(met.rows, expected.rows) << threads << " threads, delays up to " << longest_us << " us";
       }
     }
@@ -138,7 +138,7 @@ TEST(Pipeline, AHelperThatDoesNotComeBackIsNotWaitedFor) {
   // looks ahead by less than all slots.
   const Watchdog watchdog;
   std::atomic<long> claimed{-1}, reached{-1};
-  team.disturb = [&](int thread, long parcel) {
+  team.injectDelay = [&](int thread, long parcel) {
     if (thread == 0) {
       reached = std::max(reached.load(), parcel);
       while (claimed < 0) std::this_thread::yield();

@@ -1,5 +1,5 @@
 // The solvers that share equations among threads give the bits of the serial run: every scheme, map and number of
-// threads, on kinks, under delays, stopped early and gone infinite.
+// threads, on breakpoints, under delays, stopped early and gone infinite.
 #include <cmath>
 
 #include "libvehicle/partition/map/equation_map.h"
@@ -22,7 +22,7 @@ struct Problem {
   std::vector<double> start;
 
   explicit Problem(MassGraph graph, double output_step = kOutput)
-      : system(std::move(graph)), input(wavesWithKinks(system.channels())), schedule(input, output_step) {
+      : system(std::move(graph)), input(wavesWithBreakpoints(system.channels())), schedule(input, output_step) {
     for (std::size_t i = 0; i < system.states().size(); ++i) start.push_back(1e-3 * std::sin(1.0 + 2.0 * double(i)));
   }
 
@@ -41,11 +41,11 @@ struct Problem {
 constexpr Scheme kAll[] = {Scheme::kStages, Scheme::kHalo};
 
 void expectSerialBits(const Problem& problem, Scheme scheme, EquationMap map, int threads,
-                      std::function<void(int, long)> disturb = {}) {
+                      std::function<void(int, long)> injectDelay = {}) {
   SCOPED_TRACE(std::string(nameOf(scheme)) + " " + nameOf(map) + " " + std::to_string(threads));
   const Watchdog watchdog;
   TeamPolicy team;
-  team.disturb = std::move(disturb);
+  team.injectDelay = std::move(injectDelay);
   expectSameBits(problem.shared({threads, scheme, map}, -1, team), problem.serial());
 }
 

@@ -51,7 +51,7 @@ TEST(RealtimeRun, EveryStepIsMadeAndTheStatesAreThoseOfTheRunWithoutAClock) {
   }
 }
 
-TEST(RealtimeRun, AKinkedRailAndAnotherFormRunToo) {
+TEST(RealtimeRun, ARailWithBreakpointsAndAnotherFormRunToo) {
   RunChoice choice;
   choice.form = "matrix";
   const RealtimeRun run =

@@ -110,7 +110,7 @@ TEST(ValidationTables, ACaseThatComparesNothingSaysWhy) {
   ValidationReport alone = reportWith(Verdict::kInside);
   alone.runs.resize(1);
   alone.pairs.clear();
-  alone.misfits = {{"flat", "", "the vehicle has one bogie"}};
+  alone.unsupported = {{"flat", "", "the vehicle has one bogie"}};
   EXPECT_EQ(
       whyNothing(alone),
       "coach on waves at 72 km/h: nothing is judged: no two runs can be compared; flat: the vehicle has one bogie");

@@ -56,7 +56,7 @@ TEST(Exact, EqualsTheCertifiedSolutionOnExtended) {
 }
 
 // Fourth order at |lambda| h = 0.04: about 1e-8 in displacements; forces and accelerations a little more. A step
-// across a kink would show as 1e-3.
+// across a breakpoint would show as 1e-3.
 TEST(Rk4, AtOneMillisecondIsBelowOneTenMillionthOfPeakOnOnset) {
   expectCertified("flat", "rk4", History::kOnset, "ref_consistent_J70t_onset.csv", 1e-7);
 }

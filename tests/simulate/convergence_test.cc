@@ -1,4 +1,4 @@
-// Convergence of the fixed-step method on smooth and kinked rails, against the exact method.
+// Convergence of the fixed-step method on smooth and rails with breakpoints, against the exact method.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ Scenario rampScenario() {
   return scenario;
 }
 
-// Halving every step of every stretch divides the error of order 4 by 16. The largest error of the whole run and
+// Halving every step of every interval divides the error of order 4 by 16. The largest error of the whole run and
 // all columns is compared: at a single instant it may pass through zero. At |lambda| h <= 0.1 the next term
 // changes the ratio by a few percent; rounding (1e-13) is four decades below the smaller error.
 double errorRatio(const Vehicle& vehicle, const Scenario& scenario, const std::string& form) {

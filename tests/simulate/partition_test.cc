@@ -1,5 +1,5 @@
 // Vehicles and trains on a team of threads: the bits of the serial run of the same form, for every scheme, map and
-// number of threads, kinks of the onset included.
+// number of threads, breakpoints of the onset included.
 #include <string>
 #include <vector>
 
@@ -47,9 +47,9 @@ struct Problem {
                  : runRk4(*system, input, schedule, kStep, rest, observe);
     });
   }
-  RecordedRun shared(const Sharing& sharing, std::function<void(int, long)> disturb = {}) const {
+  RecordedRun shared(const Sharing& sharing, std::function<void(int, long)> injectDelay = {}) const {
     TeamPolicy team;
-    team.disturb = std::move(disturb);
+    team.injectDelay = std::move(injectDelay);
     return record(
         [&](const Observer& observe) { return runPartitioned(problem(), kStep, observe, sharing, team).statistics; });
   }
@@ -71,12 +71,12 @@ std::vector<Sharing> waysOfAVehicle() {
 }
 
 void expectSerialBits(const Problem& problem, const std::vector<Sharing>& ways,
-                      const std::function<void(int, long)>& disturb = {}) {
+                      const std::function<void(int, long)>& injectDelay = {}) {
   const RecordedRun serial = problem.serial();
   for (const Sharing& way : ways) {
     SCOPED_TRACE(std::string(nameOf(*way.scheme)) + " " + nameOf(way.map) + " " + std::to_string(way.threads));
     const Watchdog watchdog;
-    expectSameBits(problem.shared(way, disturb), serial);
+    expectSameBits(problem.shared(way, injectDelay), serial);
   }
 }
 
@@ -104,7 +104,7 @@ TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunUnderRandomDelays) {
   }
 }
 
-// The speeds of the reference sweep; other speeds are other kinks and other step lengths.
+// The speeds of the reference sweep; other speeds are other breakpoints and other step lengths.
 TEST(PartitionedVehicle, GivesTheBitsOfTheSerialRunFrom20To150KilometresAnHour) {
   for (int kmh = 20; kmh <= 150; kmh += 10) {
     SCOPED_TRACE(kmh);

@@ -39,7 +39,7 @@ Scenario rigScenario() {
 }
 
 Scenario shortened(Scenario scenario) {
-  scenario.run.duration = 3.0;  // all wheels have passed their kinks at 20 km/h
+  scenario.run.duration = 3.0;  // all wheels have passed their breakpoints at 20 km/h
   return scenario;
 }
 
@@ -106,7 +106,7 @@ TEST(Sharing, AutoGivesTheSerialBitsAndSaysWhatItTook) {
   const Scenario scenario = shortened(paperScenario(History::kOnset));
   for (const char* form : {"flat", "matrix", "mbs", "flat-7-printed"}) {
     for (const char* method : {"rk4", "exact", "dopri5"}) {
-      if (!methodMisfit(method, form).empty()) continue;
+      if (!methodUnsupported(method, form).empty()) continue;
       RunChoice choice;
       const RunResult serial = run(paperVehicle(), scenario, form, method, choice);
       choice.sharing.threads = 0;

@@ -114,9 +114,9 @@ TEST(Simulate, EndsWithWhatThereIsWhenProgressSaysStop) {
   EXPECT_LT(result.history.samples(), 1400u);
 }
 
-// A sample on a kink holds the right-hand limit: with `onset` the leading wheel's rail rises from t = 0 on, so
+// A sample on a breakpoint holds the right-hand limit: with `onset` the leading wheel's rail rises from t = 0 on, so
 // the leading bogie is accelerated there already (bb eta'/mb), as in the certified solution.
-TEST(Simulate, SampleOnAKinkHoldsTheRightHandLimit) {
+TEST(Simulate, SampleOnABreakpointHoldsTheRightHandLimit) {
   const double w = 2.0 * M_PI * 20.0 / 25.0;
   const double rate = 5e-3 * w + 2e-3 * 3.0 * w;
   for (const char* method : {"exact", "rk4", "dopri5"}) {

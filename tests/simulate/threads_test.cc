@@ -20,7 +20,7 @@ constexpr int kThreads = 3;
 
 Scenario shortScenario() {
   Scenario scenario = paperScenario(History::kOnset);
-  scenario.run.duration = 1.0;  // all four wheels have passed their kinks
+  scenario.run.duration = 1.0;  // all four wheels have passed their breakpoints
   return scenario;
 }
 

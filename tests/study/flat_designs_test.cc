@@ -47,7 +47,7 @@ TEST(FlatDesigns, TheShortWayGivesTheBitsOfTheLongWay) {
     const StudyInputs inputs = inputsOf(studyOf(varies, {"carbody.az.rms"}), vehicle, {paperScenario(History::kOnset)});
     FlatDesigns fast(inputs);
     FlatDesigns slow(inputs);
-    slow.takeTheLongWay();
+    slow.useReferencePath();
     ASSERT_TRUE(fast.geometryIsFixed());
     for (int i = 0; i < 300; ++i) {
       std::vector<double> values;

@@ -17,7 +17,7 @@ inline std::uint64_t scrambled(std::uint64_t a, std::uint64_t b = 0, std::uint64
   return z ^ (z >> 31);
 }
 
-/// Delays for TeamPolicy::disturb: most exchanges none, others a few pauses, a yield or a sleep, drawn from seed,
+/// Delays for TeamPolicy::injectDelay: most exchanges none, others a few pauses, a yield or a sleep, drawn from seed,
 /// thread and epoch, so that every seed is another interleaving.
 inline std::function<void(int, long)> randomDelays(std::uint64_t seed) {
   return [seed](int thread, long epoch) {

@@ -165,8 +165,8 @@ inline MassGraph massVehicle() {
                    {false, false, true, true});
 }
 
-/// Two waves that reach channel after channel at kinks beside samples and steps, then a ramp; duration 0.75 s.
-inline Input wavesWithKinks(int channels) {
+/// Two waves that reach channel after channel at breakpoints beside samples and steps, then a ramp; duration 0.75 s.
+inline Input wavesWithBreakpoints(int channels) {
   std::vector<InputSegment> segments;
   double begin = 0.0;
   for (const double end : {0.1037, 0.25, 0.5291, 0.5291 + 0.13, 0.75}) {

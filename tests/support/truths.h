@@ -8,7 +8,7 @@
 // Closed-form motions. They share no line with the library: pieces of rail are told in their own struct.
 namespace vehicle::test {
 
-/// Height of the rail under one wheel between two kinks, with s = t - begin:
+/// Height of the rail under one wheel between two breakpoints, with s = t - begin:
 ///     eta(s) = offset + slope s + sum_f Re[ Y_f e^(i w_f s) ]
 struct RailPiece {
   struct Wave {

@@ -31,7 +31,7 @@ InputSegment randomPiece(int channels, int frequencies, double begin, double end
 // Every channel is a sum of its own in a sweep, so who computes it with which others changes nothing: exact.
 TEST(InputChannels, EveryRangeOfChannelsGivesTheBitsOfTheSweep) {
   constexpr int kCount = 2 * Input::kBlock + 1;  // the last block has one sample
-  SweepClock clock;                              // used again by every case: what is left in it must not matter
+  PhasorTable clock;                             // used again by every case: what is left in it must not matter
   for (const int channels : {1, 4, 7, 12}) {
     for (const int frequencies : {0, 1, 2, 3, 4, 5}) {
       for (const bool polynomial : {false, true}) {
@@ -40,7 +40,7 @@ TEST(InputChannels, EveryRangeOfChannelsGivesTheBitsOfTheSweep) {
         const auto width = static_cast<std::size_t>(2 * channels);
         std::vector<double> swept(kCount * width);
         input.sweep(1, 1.1, 1.7e-3, 3 * Input::kBlock, kCount, swept);
-        input.wind(1, 1.1, 1.7e-3, 3 * Input::kBlock, kCount, clock);
+        input.prepare(1, 1.1, 1.7e-3, 3 * Input::kBlock, kCount, clock);
         for (int from = 0; from < channels; from += 3) {
           const int to = std::min(from + 5, channels);
           const auto count = static_cast<std::size_t>(to - from);
@@ -61,21 +61,21 @@ TEST(InputChannels, EveryRangeOfChannelsGivesTheBitsOfTheSweep) {
 
 TEST(InputChannels, ARangeWithoutChannelsWritesNothing) {
   const Input input(3, {randomPiece(3, 2, 0.0, 1.0, true, 1)});
-  SweepClock clock;
-  input.wind(0, 0.0, 1e-3, 0, 1, clock);
+  PhasorTable clock;
+  input.prepare(0, 0.0, 1e-3, 0, 1, clock);
   double untouched = 17.0;
   input.readRow(clock, 0, 2, 2, &untouched);
   EXPECT_EQ(untouched, 17.0);
-  input.wind(0, 0.0, 1e-3, 0, 0, clock);
+  input.prepare(0, 0.0, 1e-3, 0, 0, clock);
   EXPECT_EQ(clock.count, 0);
 }
 
 TEST(InputChannels, TheClockStartsWhereASweepMay) {
   const Input input(1, {randomPiece(1, 1, 0.0, 1.0, false, 1)});
-  SweepClock clock;
-  EXPECT_THROW(input.wind(0, 0.0, 1e-3, 5, 1, clock), std::invalid_argument);
-  EXPECT_THROW(input.wind(0, 0.0, 1e-3, -Input::kBlock, 1, clock), std::invalid_argument);
-  EXPECT_THROW(input.wind(0, 0.0, 1e-3, 0, -1, clock), std::invalid_argument);
+  PhasorTable clock;
+  EXPECT_THROW(input.prepare(0, 0.0, 1e-3, 5, 1, clock), std::invalid_argument);
+  EXPECT_THROW(input.prepare(0, 0.0, 1e-3, -Input::kBlock, 1, clock), std::invalid_argument);
+  EXPECT_THROW(input.prepare(0, 0.0, 1e-3, 0, -1, clock), std::invalid_argument);
 }
 
 TEST(InputChannels, InAnotherOrderTheyCarryTheirValuesAlong) {

@@ -108,7 +108,7 @@ TEST(Input, RatesAndAccelerationsAreDerivativesOfTheHeights) {
   }
 }
 
-TEST(Input, AtAKinkEachSegmentGivesItsOwnLimit) {
+TEST(Input, AtABreakpointEachSegmentGivesItsOwnLimit) {
   InputSegment after = flatRail(1.0, 2.0);
   after.polynomial = {0.0, 0.3, 0.0, 0.0};
   const Input input(1, {flatRail(0.0, 1.0), after});

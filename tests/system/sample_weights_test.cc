@@ -10,10 +10,10 @@
 namespace vehicle {
 namespace {
 
-std::vector<double> nodesOf(std::size_t stretches, double first, double point_step, double last) {
+std::vector<double> nodesOf(std::size_t intervales, double first, double point_step, double last) {
   std::vector<double> nodes{0.0};
-  for (std::size_t i = 0; i < stretches; ++i) {
-    nodes.push_back(nodes.back() + (i == 0 ? first : i + 1 == stretches ? last : point_step));
+  for (std::size_t i = 0; i < intervales; ++i) {
+    nodes.push_back(nodes.back() + (i == 0 ? first : i + 1 == intervales ? last : point_step));
   }
   return nodes;
 }
@@ -29,8 +29,8 @@ TEST(SampleWeights, IntegrateCubicsExactlyWhateverTheEnds) {
           double sum = 0.0;
           for (std::size_t i = 0; i <= n; ++i) sum += weights[i] * std::pow(nodes[i], power);
           const double exact = std::pow(nodes.back(), power + 1) / (power + 1);
-          // Weights of a short end stretch are differences of numbers 1/0.01 apart.
-          EXPECT_NEAR(sum, exact, 1e-11 * exact) << n << " stretches of 1 between " << first << " and " << last;
+          // Weights of a short end interval are differences of numbers 1/0.01 apart.
+          EXPECT_NEAR(sum, exact, 1e-11 * exact) << n << " intervales of 1 between " << first << " and " << last;
         }
       }
     }

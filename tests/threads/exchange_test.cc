@@ -82,7 +82,7 @@ Log exchanged(const Network& network, long epochs, const TeamPolicy& policy) {
           me.number(), epoch,
           [&](int other) {
             const double* seen = epoch == 1 ? exchange.slot(other, 0) : exchange.await(me, other, epoch - 1);
-            me.disturb(-epoch);  // between the look and the read
+            me.injectDelay(-epoch);  // between the look and the read
             return seen;
           },
           own);
@@ -100,7 +100,7 @@ TEST(Exchange, DeliversThePublishedValuesForEveryThreadCountUnderRandomDelays) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       const Network network(threads, seed);
       TeamPolicy policy;
-      policy.disturb = test::randomDelays(seed);
+      policy.injectDelay = test::randomDelays(seed);
       policy.waiting = seed % 3 == 0 ? WaitingKind::kYield : seed % 3 == 1 ? WaitingKind::kSleep : WaitingKind::kAuto;
       policy.pinning = seed % 2 == 0 ? Pinning::kCores : Pinning::kFree;
       EXPECT_EQ(exchanged(network, kEpochs, policy), serial(network, kEpochs)) << threads << " threads, seed " << seed;

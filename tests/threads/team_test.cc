@@ -69,7 +69,7 @@ TEST(Team, AnExceptionOfAnyMemberAtAnyEpochStopsAllAndReachesTheCaller) {
     for (int thrower = 0; thrower < threads; ++thrower) {
       for (long when = 1; when <= kEpochs; ++when) {
         TeamPolicy policy;
-        policy.disturb = test::randomDelays(static_cast<std::uint64_t>(when));
+        policy.injectDelay = test::randomDelays(static_cast<std::uint64_t>(when));
         Exchange exchange(std::vector<int>(static_cast<std::size_t>(threads), 1));
         try {
           runTeam(threads, policy, [&](Member& me) {

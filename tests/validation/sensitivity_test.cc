@@ -40,7 +40,7 @@ class Oscillator : public System {
 
 // Force to displacement: the impulse response exp(-zeta w t) sin(wd t) / wd has the 1-norm
 // coth(zeta pi / (2 sqrt(1 - zeta^2))) / w^2.
-// Tolerance 1 %: trapezoidal rule with 0.2 rad a step on |sin|, kinks included (0.2^2/12 = 0.3 %), and the tail
+// Tolerance 1 %: trapezoidal rule with 0.2 rad a step on |sin|, breakpoints included (0.2^2/12 = 0.3 %), and the tail
 // after 14 time constants (1e-6).
 TEST(Sensitivity, OfAnOscillatorIsTheOneNormOfItsImpulseResponse) {
   for (const double zeta : {0.05, 0.2, 0.5}) {

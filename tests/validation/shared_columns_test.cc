@@ -80,13 +80,14 @@ TEST(SharedColumns, OfAnAsymmetricVehicleLeaveBounceAndPitchTogether) {
   EXPECT_TRUE(hasRun(report, "flat rk4 stages x4 map paper"));
   expectEqualBits(report);
   // Nobody asked for the split methods, so that they do not fit is no news.
-  for (const Misfit& misfit : report.misfits) EXPECT_NE(misfit.method, "rk4_split");
+  for (const Unsupported& unsupported : report.unsupported) EXPECT_NE(unsupported.method, "rk4_split");
   ValidationChoice asked = flatChoice();
   asked.methods = {"rk4_split", "exact"};
   const ValidationReport told = validate(vehicle, onsetFor(0.5), asked);
-  ASSERT_FALSE(told.misfits.empty());
-  EXPECT_EQ(told.misfits[0].method, "rk4_split");
-  EXPECT_NE(told.misfits[0].reason.find("mass of the front bogie"), std::string::npos) << told.misfits[0].reason;
+  ASSERT_FALSE(told.unsupported.empty());
+  EXPECT_EQ(told.unsupported[0].method, "rk4_split");
+  EXPECT_NE(told.unsupported[0].reason.find("mass of the front bogie"), std::string::npos)
+      << told.unsupported[0].reason;
 }
 
 // A machine that is too busy gives less evidence, which is no pass.

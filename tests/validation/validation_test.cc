@@ -177,8 +177,8 @@ TEST(Validate, FewSamplesDoNotNarrowWhatIsExpected) {
 TEST(Validate, WhatDoesNotFitIsListedWithItsReason) {
   const ValidationReport report = validate(test::bogiePitchVehicle(), shortScenario(1.0));
   const auto names = [&](const std::string& form, const std::string& method) {
-    return std::any_of(report.misfits.begin(), report.misfits.end(), [&](const Misfit& misfit) {
-      return misfit.form == form && misfit.method == method && !misfit.reason.empty();
+    return std::any_of(report.unsupported.begin(), report.unsupported.end(), [&](const Unsupported& unsupported) {
+      return unsupported.form == form && unsupported.method == method && !unsupported.reason.empty();
     });
   };
   EXPECT_TRUE(names("flat", ""));

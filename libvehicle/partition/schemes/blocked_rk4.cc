@@ -110,7 +110,7 @@ void BlockedRk4::enter(const StepBlock& steps) {
     swept_->sweep(steps);
     return;
   }
-  steps.wind(input_, clock_);
+  steps.prepare(input_, clock_);
   readRow(0, channels_, begin_);
 }
 
@@ -195,7 +195,7 @@ Statistics runBlockedRk4(const RunProblem& problem, FixedStep step, const Observ
 
   std::vector<double> x(problem.x0.begin(), problem.x0.end());
   Statistics statistics;
-  const Stretch start = problem.schedule.stretches().front();
+  const Interval start = problem.schedule.intervales().front();
   statistics.stopped = !observe(0, start.segment, start.begin, x);
   if (statistics.stopped) return statistics;
   const std::vector<int>& order = cut.set().stateOrder();

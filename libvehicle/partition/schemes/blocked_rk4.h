@@ -89,7 +89,7 @@ class BlockedRk4 {
   std::vector<int> reach_;   // (blocks) the last equation + 1 that blocks up to this one read
 
   std::optional<SweptRows> swept_;  // of few channels; else rows are read block by block
-  SweepClock clock_;
+  PhasorTable clock_;
   std::vector<double> x_;
   std::vector<double> begin_, middle_, end_;  // rows over channels_: heights, then rates
   std::vector<double> part_;                  // of a row, as readRow() gives it

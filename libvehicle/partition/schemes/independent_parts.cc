@@ -48,7 +48,7 @@ class PartsTeam {
             [&](int sample, int, double, std::span<const double> x) {
               // A ring that holds the whole run needs no member to wait by.
               if (me != nullptr && !ring.hasRoom()) me->wait([&] { return ring.hasRoom(); }, 0);
-              if (me != nullptr && (sample + 1) % kBatch == 0) me->disturb(sample + 1);
+              if (me != nullptr && (sample + 1) % kBatch == 0) me->injectDelay(sample + 1);
               (void)ring.put(sample, x);
               if (me != nullptr && (sample + 1) % kBatch == 0) me->ring();
               return me == nullptr || sample % kBatch != 0 || !me->stopped();
@@ -124,7 +124,7 @@ class PartsTeam {
     while (SpscRing* late = missing(&which)) {
       me->wait([&] { return isNextIn(*late); }, static_cast<int>(which % threads_));
     }
-    if (me != nullptr) me->disturb(shown_);
+    if (me != nullptr) me->injectDelay(shown_);
     auto to = row_.begin();
     for (const auto& ring : rings_) {
       long sample = 0;

@@ -10,13 +10,13 @@ int rowsOf(const StepBlock& block) { return 2 * (block.last - block.first) + 1; 
 }  // namespace
 
 InputParcels::InputParcels(const Schedule& schedule, FixedStep step) {
-  const std::size_t stretches = schedule.stretches().size();
+  const std::size_t intervales = schedule.intervales().size();
   int room = 0;  // steps that still fit into the last group
   int rows = 0;  // of the last group
   long done = 0;  // steps
-  for (std::size_t first = 0; first < stretches;) {
+  for (std::size_t first = 0; first < intervales;) {
     const StepGrid grid = stepGridAt(schedule, first, step);
-    const Stretch begin = schedule.stretches()[first];
+    const Interval begin = schedule.intervales()[first];
     const int steps = grid.steps * static_cast<int>(grid.count);
     grids_.push_back({begin.segment, begin.begin, grid.h, steps});
     if (steps > room) {
@@ -88,7 +88,7 @@ bool InputAhead::computeIfOpen(Member& me, long parcel, std::vector<StepBlock>& 
     return false;
   }
   slot.owner.store(me.number(), std::memory_order_relaxed);
-  me.disturb(parcel);
+  me.injectDelay(parcel);
   compute(parcel, blocks, slot.rows.data());
   slot.state.store(word(parcel, kReady), std::memory_order_release);
   me.ring();
@@ -163,7 +163,7 @@ const double* InputAhead::enter(Member& me, const StepBlock& block) {
   if (block_ == blocks_.size()) {
     if (parcel_ >= 0) release(me);
     ++parcel_;
-    me.disturb(parcel_);
+    me.injectDelay(parcel_);
     next_ = acquire(me);
     block_ = 0;
   }

@@ -22,7 +22,7 @@ SampleRing::SampleRing(const char* method, int threads, int states, const Observ
       lines_(static_cast<std::size_t>(threads)) {}
 
 bool SampleRing::begin(Member& me, const RunProblem& problem) {
-  const Stretch start = problem.schedule.stretches().front();
+  const Interval start = problem.schedule.intervales().front();
   statistics_.stopped = !observe_(0, start.segment, start.begin, problem.x0);
   if (!statistics_.stopped) return true;
   stopped_.store(true, std::memory_order_relaxed);
@@ -47,7 +47,7 @@ void SampleRing::makeRoom(Member& me, long pause) {
 bool SampleRing::done(Member& me, long pause, bool finite) {
   Line& line = lines_[static_cast<std::size_t>(me.number())];
   line.finite[pause % slots_] = finite;
-  me.disturb(pause);
+  me.injectDelay(pause);
   line.written.store(pause + 1, std::memory_order_release);
   me.ring();
   if (me.number() != 0) return !stopped_.load(std::memory_order_relaxed);

@@ -86,7 +86,7 @@ class AheadRows {
  private:
   using Values = std::vector<double>;
   void windNext() {
-    if (const std::optional<StepBlock> block = ahead_->next()) block->wind(input_, next_);
+    if (const std::optional<StepBlock> block = ahead_->next()) block->prepare(input_, next_);
     wound_ = true;
   }
   void read(int sample, Values& row) {
@@ -96,8 +96,8 @@ class AheadRows {
   const Input& input_;
   ChannelRun channels_;
   std::optional<BlocksAhead> ahead_;
-  SweepClock clock_;
-  SweepClock next_;
+  PhasorTable clock_;
+  PhasorTable next_;
   bool wound_ = false;  // next_, or there is none
   Values row_[3];
   int sample_ = 0;

@@ -15,17 +15,17 @@ struct StepBlock {
   int last = 0;
 
   /// The clock of the rows t, t + h/2, t + h of its steps: step k reads the samples 2 k, 2 k + 1, 2 k + 2.
-  void wind(const Input& input, SweepClock& clock) const {
-    input.wind(segment, begin, 0.5 * h, 2 * first, 2 * (last - first) + 1, clock);
+  void prepare(const Input& input, PhasorTable& clock) const {
+    input.prepare(segment, begin, 0.5 * h, 2 * first, 2 * (last - first) + 1, clock);
   }
 };
 
-/// Where a run looks at its state: at the ends of stretches and of every kStepsPerBlock steps of a grid.
+/// Where a run looks at its state: at the ends of intervales and of every kStepsPerBlock steps of a grid.
 struct StepPause {
   double reached = 0.0;  // [s] by the clock of the grid, named where the state is no longer finite
   int sample = -1;       // number of the output sample here, or -1
   int segment = 0;       // that begins here, where there is a sample
-  double end = 0.0;      // [s] of the stretch, where there is a sample
+  double end = 0.0;      // [s] of the interval, where there is a sample
   long steps = 0;        // done since the run began
 };
 
@@ -47,17 +47,17 @@ struct StepWalk {
 /// @throws std::invalid_argument for a wrong step (stepsOf)
 template <class Enter, class Move, class Pause>
 bool walkSteps(const StepWalk& way, Enter enter, Move move, Pause pause) {
-  const Schedule::Stretches stretches = way.schedule.stretches();
-  auto next = stretches.begin();
+  const Schedule::Intervales intervales = way.schedule.intervales();
+  auto next = intervales.begin();
   long steps = 0;
-  for (std::size_t first = 0; first < stretches.size();) {
+  for (std::size_t first = 0; first < intervales.size();) {
     const StepGrid grid = stepGridAt(way.schedule, first, way.step);
-    Stretch stretch = *next;
-    const double begin = stretch.begin;
+    Interval interval = *next;
+    const double begin = interval.begin;
     const int total = grid.steps * static_cast<int>(grid.count);
-    int left = grid.steps;  // of this stretch
+    int left = grid.steps;  // of this interval
     for (int done = 0; done < total;) {
-      const StepBlock now{stretch.segment, begin, grid.h, done, std::min(done + way.block, total)};
+      const StepBlock now{interval.segment, begin, grid.h, done, std::min(done + way.block, total)};
       enter(now);
       while (done < now.last) {
         const int stop = std::min(now.last, done + left);
@@ -67,11 +67,11 @@ bool walkSteps(const StepWalk& way, Enter enter, Move move, Pause pause) {
         if (left > 0 && done % kStepsPerBlock != 0) continue;
         StepPause here{.reached = begin + done * grid.h, .steps = steps};
         if (left == 0) {
-          here.sample = stretch.sample;
-          here.segment = stretch.next;
-          here.end = stretch.end;
+          here.sample = interval.sample;
+          here.segment = interval.next;
+          here.end = interval.end;
           ++next;
-          if (done < total) stretch = *next;
+          if (done < total) interval = *next;
           left = grid.steps;
         }
         if (!pause(here)) return false;

@@ -164,7 +164,7 @@ bool isWorstOfItsForm(const ValidationReport& report, const PairAgreement& pair)
 
 Table notRunTable(const ValidationReport& report) {
   Table table{"not run", {{"form", ""}, {"method", ""}, {"why", ""}}, {}};
-  for (const Misfit& each : report.misfits) {
+  for (const Unsupported& each : report.unsupported) {
     table.rows.push_back({each.form, each.method.empty() ? Cell() : Cell(each.method), each.reason});
   }
   return table;
@@ -291,7 +291,7 @@ std::string whyNothing(const ValidationReport& report) {
                                         [](const ValidationRun& run) { return run.ending == RunEnding::kFinished; });
   if (!all_finished || report.count(Verdict::kInside) + report.count(Verdict::kOutside) > 0) return {};
   std::string why;
-  for (const Misfit& each : report.misfits) {
+  for (const Unsupported& each : report.unsupported) {
     why += "; " + (each.method.empty() ? each.form + ": " : "") + each.reason;
   }
   return fmt::format("{}: nothing is judged: no two runs can be compared{}", caseName(report), why);

@@ -180,7 +180,7 @@ Table carbodyTable(const VehicleFigures& figures) {
 
 Table formTable(const Topology& topology) {
   Table table{"forms", {{"form", ""}, {"fits", ""}}, {}};
-  for (const std::string& form : formNames()) table.rows.push_back({form, formMisfits(form, topology).empty()});
+  for (const std::string& form : formNames()) table.rows.push_back({form, formUnsupported(form, topology).empty()});
   return table;
 }
 
@@ -188,7 +188,7 @@ Table unsupportedTable(const Topology& topology) {
   Table table{
       "why a form does not fit", {{"line", ""}, {"element", ""}, {"why", ""}, {"remedy", ""}, {"forms", ""}}, {}};
   for (const std::string& form : formNames()) {
-    for (const Problem& each : formMisfits(form, topology)) {
+    for (const Problem& each : formUnsupported(form, topology)) {
       const std::vector<Cell> reason = {static_cast<long>(each.place.line), each.element, each.message, each.remedy};
       const auto known = std::find_if(table.rows.begin(), table.rows.end(), [&](const std::vector<Cell>& row) {
         return std::equal(reason.begin(), reason.end(), row.begin());

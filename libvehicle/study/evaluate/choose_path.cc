@@ -17,8 +17,8 @@ namespace {
 /// Why no lane of an ensemble can hold this study's designs; empty if it can.
 std::string whyNotFlat(const StudyInputs& inputs, const Topology& topology) {
   if (inputs.vehicle.units.size() > 1) return "the ensemble's lanes hold one vehicle, this is a train";
-  const ProblemList misfits = flatMisfits(topology, FlatVariant::kConsistent);
-  if (!misfits.empty()) return firstProblem(misfits);
+  const ProblemList unsupported = flatUnsupported(topology, FlatVariant::kConsistent);
+  if (!unsupported.empty()) return firstProblem(unsupported);
   const FlatLayout layout = readLayout(topology).layout;
   for (const BoundMetric& each : inputs.bound.metrics) {
     if (each.metric.kind != MetricKind::kColumn || flatColumn(topology, layout, each.metric.subject)) continue;

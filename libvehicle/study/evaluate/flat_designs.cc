@@ -23,9 +23,9 @@ FlatDesigns::FlatDesigns(const StudyInputs& inputs)
 }
 
 std::optional<std::string> FlatDesigns::set(std::span<const double> values) {
-  if (!direct_ || always_long_) return setLong(values);
+  if (!direct_ || by_reference_) return setByReferencePath(values);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    if (targets_[i] && !isAllowed(*targets_[i], values[i])) return setLong(values);
+    if (targets_[i] && !isAllowed(*targets_[i], values[i])) return setByReferencePath(values);
   }
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (targets_[i]) write(*targets_[i], values[i]);
@@ -93,7 +93,7 @@ void FlatDesigns::write(const Target& target, double value) {
   }
 }
 
-std::optional<std::string> FlatDesigns::setLong(std::span<const double> values) {
+std::optional<std::string> FlatDesigns::setByReferencePath(std::span<const double> values) {
   apply(inputs_.bound, values, vehicle_, scenarios_);
   if (const ProblemList problems = check(vehicle_); !problems.empty()) return firstProblem(problems);
   topology_ = topologyOf(vehicle_);

@@ -40,7 +40,7 @@ class FlatDesigns {
   /// The vehicle that was set; only after the long way.
   [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
   /// Takes the long way always: what the short one is compared with.
-  void takeTheLongWay() { always_long_ = true; }
+  void useReferencePath() { by_reference_ = true; }
 
  private:
   enum class Number {
@@ -62,7 +62,7 @@ class FlatDesigns {
   [[nodiscard]] std::optional<Target> targetOf(const StudyParameter& parameter) const;
   [[nodiscard]] bool isAllowed(const Target& target, double value) const;
   void write(const Target& target, double value);
-  [[nodiscard]] std::optional<std::string> setLong(std::span<const double> values);
+  [[nodiscard]] std::optional<std::string> setByReferencePath(std::span<const double> values);
 
   const StudyInputs& inputs_;
   Vehicle vehicle_;
@@ -71,7 +71,7 @@ class FlatDesigns {
   FlatLayout layout_;
   std::vector<std::optional<Target>> targets_;  // (parameters); nothing: a scenario's
   bool direct_ = true;
-  bool always_long_ = false;
+  bool by_reference_ = false;
 };
 
 }  // namespace vehicle

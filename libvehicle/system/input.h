@@ -29,7 +29,7 @@ struct PhasorTable {
   int segment = 0;
   int count = 0;
   std::vector<double> time;    // [s] t - begin, shape (count)
-  std::vector<double> circle;  // cos(w_f s), sin(w_f s), shape (count x 2 F), row-major
+  std::vector<double> phasor;  // cos(w_f s), sin(w_f s), shape (count x 2 F), row-major
 };
 
 /// The input u(t) of a system over a whole run, cut at its breakpoints.

@@ -128,14 +128,19 @@ TEST(FlatByType, GivesTheBitsOfTheVirtualRun) {
     const Input input = inputOf(scenario, topologyOf(vehicle), 20.0);
     const Schedule schedule(input, 5e-3);
     const std::vector<double> x0(8, 0.0);
-    EXPECT_EQ(statesOf([&](const Observer& o) { return runFlatRk4(*form, input, schedule, {}, x0, o); }),
-              statesOf([&](const Observer& o) { return runRk4(*form, input, schedule, {}, x0, o); })) << vehicle.name;
+    EXPECT_EQ(statesOf([&](const Observer& o) {
+                return runFlatRk4({*form, input, schedule, x0}, {}, o);
+              }),
+              statesOf([&](const Observer& o) { return runRk4(*form, input, schedule, {}, x0, o); }))
+        << vehicle.name;
   }
   const std::unique_ptr<FlatForm> form = buildFlatForm(compile(paperVehicle(), 9.81));
   const Input input = inputOf(paperScenario(History::kOnset), topologyOf(paperVehicle()), 20.0);
   const Schedule schedule(input, 5e-3);
   const std::vector<double> x0(8, 0.0);
-  EXPECT_EQ(statesOf([&](const Observer& o) { return runFlatDopri5(*form, input, schedule, {}, x0, o); }),
+  EXPECT_EQ(statesOf([&](const Observer& o) {
+              return runFlatDopri5({*form, input, schedule, x0}, {}, o);
+            }),
             statesOf([&](const Observer& o) { return runDopri5(*form, input, schedule, {}, x0, o); }));
 }
 

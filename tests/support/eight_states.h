@@ -12,6 +12,7 @@ namespace vehicle::test {
 class EightStates final : public System {
  public:
   int channels() const override { return 4; }
+  StateLayout layout() const override { return {.coordinates = 4}; }
   const std::vector<Channel>& states() const override { return states_; }
   const std::vector<Channel>& outputs() const override { return states_; }
   void derivative(std::span<const double>, std::span<const double>, std::span<double>) const override {}

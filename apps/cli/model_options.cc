@@ -6,8 +6,6 @@
 
 #include <CLI/App.hpp>
 
-#include <CLI/App.hpp>
-
 #include "apps/cli/options.h"
 #include "libvehicle/xml/reader.h"
 

@@ -38,7 +38,7 @@ constexpr std::array kKinds = {
     WarningKind{WarningCode::kGivenLoads, "GIVEN_LOADS",
                 "The wheel loads that the file gives miss the weight of the vehicle by more than 0.5 %."},
     WarningKind{WarningCode::kRestDeflection, "REST_DEFLECTION",
-                "A spring is compressed or lengthened by more than 0.5 m at rest; railway springs have less travel."},
+                "A spring is compressed or stretched by more than 0.5 m at rest; railway springs have less travel."},
     WarningKind{WarningCode::kIllConditioned, "ILL_CONDITIONED",
                 "Very fast and very slow motions stand beside each other: rounding shows in the result."},
     WarningKind{WarningCode::kFreePitch, "FREE_PITCH",

@@ -203,7 +203,7 @@ class OwnRails {
     for (int i = 0; i < batch.count; ++i) {
       const ensemble::LanePlan& plan = planOf(batch.first + i);
       samples.push_back(storedOf(plan));
-      for (const auto& piece : plan.pieces) result_.steps += static_cast<long>(piece.steps) * piece.intervales;
+      for (const auto& piece : plan.pieces) result_.steps += static_cast<long>(piece.steps) * piece.intervals;
     }
     const auto measured = [&](int i) { return planOf(batch.first + i).measured; };
     const auto time = [&](int i, int sample) {

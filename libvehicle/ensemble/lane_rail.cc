@@ -16,7 +16,7 @@ constexpr int kStepsPerSeed = 512;
 // Rows of LaneRail::time.
 constexpr std::size_t kAnchor = 0, kHalf = 1, kCount = 2, kIncrement = 3;
 
-int intervalesPerSeed(int steps) { return (kStepsPerSeed + steps - 1) / steps; }
+int intervalsPerSeed(int steps) { return (kStepsPerSeed + steps - 1) / steps; }
 
 }  // namespace
 
@@ -32,14 +32,14 @@ LanePlan::LanePlan(const Input& rail, const Schedule& schedule, FixedStep step)
       const StepGrid grid = stepGridAt(schedule, index, step);
       Piece piece;
       piece.segment = part.segment;
-      piece.begin = schedule.intervales()[index].begin;
+      piece.begin = schedule.intervals()[index].begin;
       piece.h = grid.h;
       piece.steps = grid.steps;
-      piece.intervales = static_cast<int>(grid.count);
+      piece.intervals = static_cast<int>(grid.count);
       piece.part = i;
       piece.first = own;
       piece.whole = part.finer == 1 && schedule.wholeFrom(index) > 0 && grid.steps == whole_steps &&
-                    endsOnPoint(piece, piece.intervales - 1);
+                    endsOnPoint(piece, piece.intervals - 1);
       own += grid.count;
       piece.ends_part = own == part.count;
       pieces.push_back(piece);
@@ -172,8 +172,8 @@ int LaneRun::commonIntervals() const {
   for (const Lane& lane : lanes_) {
     if (lane.over()) continue;
     if (!lane.now().whole) return 0;
-    const int to_seed = intervalesPerSeed(lane.now().steps);
-    most = std::min({most, lane.now().intervales - lane.interval, to_seed - lane.interval % to_seed});
+    const int to_seed = intervalsPerSeed(lane.now().steps);
+    most = std::min({most, lane.now().intervals - lane.interval, to_seed - lane.interval % to_seed});
   }
   return most;
 }
@@ -267,7 +267,7 @@ void LaneRun::walkUniform(int intervals) {
 void LaneRun::finishInterval(std::size_t index) {
   Lane& lane = lanes_[index];
   const LanePlan::Piece& piece = lane.now();
-  const bool last = lane.interval + 1 == piece.intervales;
+  const bool last = lane.interval + 1 == piece.intervals;
   const Look<double> look = lane.lookAfter(0);
   lane.at_point = lane.plan->endsOnPoint(piece, lane.interval);
   common_[index] = look;
@@ -306,7 +306,7 @@ void LaneRun::walkMixed() {
     for (const std::size_t i : finished) {
       Lane& lane = lanes_[i];
       const bool ends_part = lane.endsPart(1);
-      if (++lane.interval < lane.now().intervales) {
+      if (++lane.interval < lane.now().intervals) {
         if (!lane.at_point) lane.left = lane.now().steps;
         continue;
       }
@@ -335,9 +335,9 @@ void LaneRun::reseed() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];
     if (lane.over() || lane.interval == 0) continue;
-    if (lane.interval == lane.now().intervales) {
+    if (lane.interval == lane.now().intervals) {
       nextPiece(i);
-    } else if (lane.interval % intervalesPerSeed(lane.now().steps) == 0) {
+    } else if (lane.interval % intervalsPerSeed(lane.now().steps) == 0) {
       const LanePlan::Piece& piece = lane.now();
       seed(i, piece.begin + static_cast<double>(lane.interval) * piece.steps * piece.h);
     }

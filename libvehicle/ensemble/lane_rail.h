@@ -19,8 +19,8 @@ struct LanePlan {
     double begin = 0.0;  // [s]
     double h = 0.0;      // [s]
     int steps = 0;       // of a interval
-    int intervales = 1;
-    bool whole = false;  // intervales are whole steps of the regular grid, each ends on a point of it
+    int intervals = 1;
+    bool whole = false;  // intervals are whole steps of the regular grid, each ends on a point of it
     std::size_t part = 0;
     std::size_t first = 0;  // number of its first interval in that part
     bool ends_part = false;
@@ -65,12 +65,12 @@ class LaneRun {
     std::vector<double> turn;   // (2 F) cos - 1, sin of half a step
     [[nodiscard]] bool over() const { return piece >= plan->pieces.size(); }
     [[nodiscard]] const LanePlan::Piece& now() const { return plan->pieces[piece]; }
-    /// How the sample at the end of the interval is measured that comes `further` intervales later.
+    /// How the sample at the end of the interval is measured that comes `further` intervals later.
     [[nodiscard]] Look<double> lookAfter(int further) const;
     [[nodiscard]] Look<double> lookAtBegin() const { return plan->looks[now().part].at(0); }
-    /// Whether so many intervales on it is at the end of a part.
-    [[nodiscard]] bool endsPart(int intervales) const {
-      return !over() && now().ends_part && interval + intervales == now().intervales;
+    /// Whether so many intervals on it is at the end of a part.
+    [[nodiscard]] bool endsPart(int intervals) const {
+      return !over() && now().ends_part && interval + intervals == now().intervals;
     }
   };
 

@@ -12,16 +12,16 @@ double lengthOf(const Interval& interval) { return interval.end - interval.begin
 
 PartLooks::PartLooks(const Schedule& schedule, const Schedule::Part& part)
     : counts_(part.counts),
-      intervales_(part.count),
-      per_first_(1.0 / lengthOf(schedule.intervales()[part.first_interval])),
+      intervals_(part.count),
+      per_first_(1.0 / lengthOf(schedule.intervals()[part.first_interval])),
       per_point_(part.cut / schedule.outputStep()),
-      per_last_(1.0 / lengthOf(schedule.intervales()[part.first_interval + part.count - 1])),
+      per_last_(1.0 / lengthOf(schedule.intervals()[part.first_interval + part.count - 1])),
       weights_(schedule, part) {}
 
 Look<double> PartLooks::at(std::size_t sample) const {
   if (!counts_) return {};
   const auto per = [&](std::size_t interval) {
-    return interval == 0 ? per_first_ : interval + 1 == intervales_ ? per_last_ : per_point_;
+    return interval == 0 ? per_first_ : interval + 1 == intervals_ ? per_last_ : per_point_;
   };
   Look<double> look;
   look.weight = weights_[sample];

@@ -16,11 +16,11 @@ class PartLooks {
 
   /// @param sample  0: the begin of the part, seen from inside; k: the end of its interval k - 1
   [[nodiscard]] Look<double> at(std::size_t sample) const;
-  [[nodiscard]] std::size_t intervales() const { return intervales_; }
+  [[nodiscard]] std::size_t intervals() const { return intervals_; }
 
  private:
   bool counts_;
-  std::size_t intervales_;
+  std::size_t intervals_;
   double per_first_, per_point_, per_last_;  // [1/s]
   SampleWeights weights_;
 };

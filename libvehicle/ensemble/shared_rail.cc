@@ -16,15 +16,15 @@ SharedRail::SharedRail(const Input& input, const Schedule& schedule, FixedStep s
       schedule_(schedule),
       step_(step),
       first_stored_(first_stored),
-      interval_(schedule.intervales().begin()),
+      interval_(schedule.intervals().begin()),
       rows_(kBlocksPerPiece * kRowsPerBlock * kRowWidth),
-      // A block ends as many intervales as it has steps at most, each perhaps with two limits; the start comes on top.
+      // A block ends as many intervals as it has steps at most, each perhaps with two limits; the start comes on top.
       samples_((2 * kBlocksPerPiece * static_cast<std::size_t>(kStepsPerBlock) + 2) * kSampleWidth) {}
 
 bool SharedRail::next() {
   legs_.clear();
   rows_used_ = samples_used_ = 0;
-  const Schedule::Iterator end = schedule_.intervales().end();
+  const Schedule::Iterator end = schedule_.intervals().end();
   if (!begun_) {
     begun_ = true;
     const Interval start = *interval_;
@@ -59,14 +59,14 @@ void SharedRail::endInterval(const Interval& interval) {
   addSample(interval.segment, interval.end, part_->at(own));
   ++interval_;
   const bool ends_part = own == part.count;
-  if (ends_part && !(interval_ == schedule_.intervales().end())) {
+  if (ends_part && !(interval_ == schedule_.intervals().end())) {
     beginPart(interval.next, interval.end, interval.regular);
   } else if (interval.regular >= first_stored_) {
     legs_.back().stored = interval.regular - first_stored_;
   }
 }
 
-// The next block of the grid, cut where intervales end.
+// The next block of the grid, cut where intervals end.
 void SharedRail::addBlock() {
   if (done_ == 0) {
     grid_begin_ = *interval_;

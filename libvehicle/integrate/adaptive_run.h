@@ -31,8 +31,8 @@ class AdaptiveRun {
     const double latest = std::max(std::abs(t_), std::abs(parts.back().end));
     least_step_ = 16.0 * std::numeric_limits<double>::epsilon() * latest;
     statistics_.stopped = !observe_(0, parts.front().segment, t_, sample_);
-    const Schedule::Intervales intervales = schedule.intervales();
-    auto next = intervales.begin();
+    const Schedule::Intervals intervals = schedule.intervals();
+    auto next = intervals.begin();
     for (std::size_t i = 0; i < parts.size() && !statistics_.stopped;) {
       std::size_t last = i;
       while (last + 1 < parts.size() && parts[last + 1].segment == parts[i].segment) ++last;
@@ -43,7 +43,7 @@ class AdaptiveRun {
   }
 
  private:
-  // All intervales of one segment; sample_ holds the state at its begin, and at its end when this returns.
+  // All intervals of one segment; sample_ holds the state at its begin, and at its end when this returns.
   // @param next  the first of them; behind the last when this returns
   void runSegment(Schedule::Iterator& next, double end) {
     Interval interval = *next;

@@ -27,7 +27,7 @@ StateSpace matricesForExact(const System& system, const Input& input, std::span<
 Statistics runExact(const System& system, const Input& input, const Schedule& schedule, std::span<const double> x0,
                     const Observer& observe) {
   ExactRun run(matricesForExact(system, input, x0), input, schedule, x0);
-  const Interval first = schedule.intervales().front();
+  const Interval first = schedule.intervals().front();
   if (!observe(0, first.segment, first.begin, run.state())) return {.stopped = true};
   bool stopped = false;
   Statistics statistics = run.run([&](const Interval& interval, std::span<const double> x) {

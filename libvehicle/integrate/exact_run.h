@@ -30,7 +30,7 @@ class ExactRun {
   /// @param arrive  arrive(const Interval&, std::span<const double> x) at the end of every interval; false ends the run
   template <class Arrive>
   Statistics run(Arrive arrive) {
-    for (const Interval interval : schedule_.intervales()) {
+    for (const Interval interval : schedule_.intervals()) {
       move(interval);
       if (!arrive(interval, state())) break;
     }

@@ -14,14 +14,14 @@ namespace vehicle {
 /// @throws std::invalid_argument unless step.step > 0 and finite, step.refine >= 1, and the number is below 1e9
 [[nodiscard]] int stepsOf(double length, FixedStep step);
 
-/// Intervales first .. first+count-1 of a schedule, run as one grid of equal steps.
+/// Intervals first .. first+count-1 of a schedule, run as one grid of equal steps.
 struct StepGrid {
   std::size_t count = 1;
   int steps = 0;   // of each interval
   double h = 0.0;  // [s]
 };
 
-/// The longest grid that begins with that interval. Intervales of one whole output step in one segment of the input
+/// The longest grid that begins with that interval. Intervals of one whole output step in one segment of the input
 /// share a grid: the sine and cosine that seed the input are then paid once a block and not once a sample.
 [[nodiscard]] StepGrid stepGridAt(const Schedule& schedule, std::size_t first, FixedStep step);
 
@@ -47,13 +47,13 @@ Statistics runFedSteps(Stepper& stepper, int width, Feed feed, const Schedule& s
                        std::span<const double> x0, const Observer& observe) {
   checkStart(Stepper::kName, x0, stepper.size());
   std::vector<double> x(x0.begin(), x0.end());
-  const Schedule::Intervales intervales = schedule.intervales();
-  auto next = intervales.begin();
+  const Schedule::Intervals intervals = schedule.intervals();
+  auto next = intervals.begin();
 
   Statistics statistics;
   Interval interval = *next;
   statistics.stopped = !observe(0, interval.segment, interval.begin, x);
-  for (std::size_t first = 0; first < intervales.size() && !statistics.stopped;) {
+  for (std::size_t first = 0; first < intervals.size() && !statistics.stopped;) {
     const StepGrid grid = stepGridAt(schedule, first, step);
     interval = *next;
     const int segment = interval.segment;

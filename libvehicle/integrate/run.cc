@@ -31,7 +31,7 @@ int stepsOf(double length, FixedStep step) {
 }
 
 StepGrid stepGridAt(const Schedule& schedule, std::size_t first, FixedStep step) {
-  const Interval begin = schedule.intervales()[first];
+  const Interval begin = schedule.intervals()[first];
   StepGrid grid;
   const double length = begin.whole > 0.0 ? begin.whole : begin.end - begin.begin;
   grid.steps = stepsOf(length, step);

@@ -212,7 +212,7 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
     throw std::invalid_argument(
         fmt::format("simbody_rkm: the input has {} wheelsets, must be {}", input.channels(), channels()));
   }
-  const Interval start = schedule.intervales().front();
+  const Interval start = schedule.intervals().front();
   int segment = start.segment;
   double reached = start.begin;
   const auto rail = [&input, &segment, size = 2 * at(channels())](double t, double* u) {
@@ -231,7 +231,7 @@ Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule,
   Statistics statistics;
   simbody([&] { simbody_->startRun(accuracy, schedule.outputStep(), reached, x.data(), rail); });
   statistics.stopped = !observe(0, segment, reached, x);
-  for (const Interval interval : schedule.intervales()) {
+  for (const Interval interval : schedule.intervals()) {
     if (statistics.stopped) break;
     if (interval.segment != segment) {
       segment = interval.segment;

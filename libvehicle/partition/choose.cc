@@ -160,7 +160,7 @@ class Tuner {
     const Way& way = ways_[best.number];
     const auto [least, most] = std::ranges::minmax(best.shares);
     char text[160];
-    std::snprintf(text, sizeof text, "%.2f times as fast as %s, the median of %zu trials by turns (%.2f to %.2f)",
+    std::snprintf(text, sizeof text, "%.2f times as fast as %s, the median of %zu alternating trials (%.2f to %.2f)",
                   1.0 / best.share(), nameOf(ways_.front()).c_str(), best.shares.size(), 1.0 / most, 1.0 / least);
     if (best.share() >= kWins) {
       return nameOf(ways_.front()) + ": the best other, " + nameOf(way) + ", is " + text;
@@ -187,7 +187,7 @@ double secondsNow() {
 
 long stepsOfRun(const Schedule& schedule, FixedStep step) {
   long steps = 0;
-  for (std::size_t first = 0; first < schedule.intervales().size();) {
+  for (std::size_t first = 0; first < schedule.intervals().size();) {
     const StepGrid grid = stepGridAt(schedule, first, step);
     steps += static_cast<long>(grid.steps) * static_cast<long>(grid.count);
     first += grid.count;

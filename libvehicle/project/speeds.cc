@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <CLI/App.hpp>
 
 #include "libvehicle/units/quantity.h"
 

@@ -25,24 +25,24 @@ ExactIntegrals::ExactIntegrals(const System& system, const Input& input, const S
 
 void ExactIntegrals::begin(const Schedule::Part& part, double t, std::span<const double> x) {
   segment_ = part.segment;
-  intervales_ = part.count;
+  intervals_ = part.count;
   point_step_ = schedule_.outputStep() / part.cut;
   odd_first_ = !part.first_whole;
   odd_last_ = !part.last_whole && part.count > 1;
   if (part.count == 1) odd_first_ = odd_first_ || !part.last_whole;
-  const Interval last = schedule_.intervales()[part.first_interval + part.count - 1];
+  const Interval last = schedule_.intervals()[part.first_interval + part.count - 1];
   last_length_ = last.end - last.begin;
   time_ += part.end - part.begin;
-  if (odd_first_) return addTaylor(t, x, schedule_.intervales()[part.first_interval].end - t);
+  if (odd_first_) return addTaylor(t, x, schedule_.intervals()[part.first_interval].end - t);
   addEnd(t, x, -1.0);
 }
 
 void ExactIntegrals::add(std::size_t own, double t, std::span<const double> x, std::span<const double> y) {
-  const std::size_t first = odd_first_ ? 1 : 0;  // samples of the equal intervales
-  const std::size_t last = odd_last_ ? intervales_ - 1 : intervales_;
+  const std::size_t first = odd_first_ ? 1 : 0;  // samples of the equal intervals
+  const std::size_t last = odd_last_ ? intervals_ - 1 : intervals_;
   const std::size_t sample = own + 1;
   if (sample < first || sample > last || first == last) {
-    // Nothing but odd intervales: the second begins where the first has ended.
+    // Nothing but odd intervals: the second begins where the first has ended.
     if (sample == last && odd_last_ && first == last) addTaylor(t, x, last_length_);
     return;
   }
@@ -63,7 +63,7 @@ void ExactIntegrals::addSample(double weight, std::span<const double> y) {
   }
 }
 
-// What the trapezoidal rule owes to an end of the equal intervales, and at their begin its half sample.
+// What the trapezoidal rule owes to an end of the equal intervals, and at their begin its half sample.
 // @param sign  -1 at the begin, 1 at the end
 void ExactIntegrals::addEnd(double t, std::span<const double> x, double sign) {
   const Eigen::MatrixXd& y = derivatives_.at(input_.segment(segment_), t, x, kOrder);

@@ -11,7 +11,7 @@ namespace vehicle {
 
 /// Integrals of columns and of their squares over a smooth part of an exact run, to rounding.
 ///
-/// The samples of equal intervales are summed by the trapezoidal rule, and what that owes to the ends is taken off by the
+/// The samples of equal intervals are summed by the trapezoidal rule, and what that owes to the ends is taken off by the
 /// Euler-Maclaurin formula up to h^12: the motion of a linear system has all its derivatives in closed form
 /// (ColumnDerivatives). A shorter interval at an end is integrated as its Taylor series. Both series fall by a hundred a
 /// term where h |lambda| <= kMostTurn.
@@ -45,9 +45,9 @@ class ExactIntegrals {
   double time_ = 0.0;
 
   int segment_ = 0;
-  std::size_t intervales_ = 0;
+  std::size_t intervals_ = 0;
   double point_step_ = 0.0;
-  bool odd_first_ = false, odd_last_ = false;  // intervales at the ends that are no whole point step
+  bool odd_first_ = false, odd_last_ = false;  // intervals at the ends that are no whole point step
   double last_length_ = 0.0;
 };
 

@@ -21,7 +21,7 @@ Recorder::Recorder(const System& system, const Input& input, const Schedule& sch
       summaries_(measures ? system.outputs().size() : 0),
       u_(3 * static_cast<std::size_t>(system.channels())),
       y_(system.outputs().size()),
-      next_(schedule.intervales().begin()) {
+      next_(schedule.intervals().begin()) {
   if (keep == Keep::kOutputs) history_.reserve(static_cast<std::size_t>(schedule.outputs()));
 }
 
@@ -72,7 +72,7 @@ bool Recorder::operator()(int sample, int segment, double t, std::span<const dou
     if (measures_) {
       measureEnd(interval, segment, t, x);
       const bool ends_part = next_.index() + 1 == next_.part().first_interval + next_.part().count;
-      const bool ends_run = next_.index() + 1 == schedule_.intervales().size();
+      const bool ends_run = next_.index() + 1 == schedule_.intervals().size();
       ++next_;
       if (ends_part && !ends_run) measureBegin(t, x);
     } else {
@@ -94,7 +94,7 @@ std::vector<ColumnSummary> Recorder::summaries() const {
   if (!measures_) return {};
   std::vector<ColumnSummary> made = summaries_.summaries();
   // A part that was broken off has no end to be integrated to.
-  if (!exact_ || exact_->time() <= 0.0 || !(next_ == schedule_.intervales().end())) return made;
+  if (!exact_ || exact_->time() <= 0.0 || !(next_ == schedule_.intervals().end())) return made;
   for (std::size_t i = 0; i < made.size(); ++i) {
     made[i].mean = exact_->first()[i] / exact_->time();
     made[i].rms = std::sqrt(std::fmax(0.0, exact_->second()[i] / exact_->time()));

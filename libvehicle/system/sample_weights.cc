@@ -60,19 +60,19 @@ constexpr std::size_t kEnd = 5;
 
 }  // namespace
 
-SampleWeights::SampleWeights(std::size_t intervales, double first, double point_step, double last)
-    : intervales_(intervales), point_step_(point_step) {
+SampleWeights::SampleWeights(std::size_t intervals, double first, double point_step, double last)
+    : intervals_(intervals), point_step_(point_step) {
   const auto isOdd = [&](double length) { return std::abs(length - point_step) > 1e-12 * point_step; };
   const bool odd_first = isOdd(first);
   const bool odd_last = isOdd(last);
   // The weights of many samples are those of a dozen, with equal ones put in between.
-  const std::size_t few = std::min(intervales, 2 * kEnd + 2);
+  const std::size_t few = std::min(intervals, 2 * kEnd + 2);
   std::vector<double> nodes{0.0};
   for (std::size_t i = 0; i < few; ++i) {
     nodes.push_back(nodes.back() + (i == 0 ? first : i + 1 == few ? last : point_step));
   }
   std::vector<double> weights = allWeights(nodes, odd_first && few > 1, odd_last && few > 1);
-  if (few == intervales) {
+  if (few == intervals) {
     head_ = std::move(weights);
     return;
   }
@@ -81,8 +81,8 @@ SampleWeights::SampleWeights(std::size_t intervales, double first, double point_
 }
 
 SampleWeights::SampleWeights(const Schedule& schedule, const Schedule::Part& part)
-    : SampleWeights(part.count, schedule.intervales()[part.first_interval].end - part.begin,
+    : SampleWeights(part.count, schedule.intervals()[part.first_interval].end - part.begin,
                     schedule.outputStep() / part.cut,
-                    part.end - schedule.intervales()[part.first_interval + part.count - 1].begin) {}
+                    part.end - schedule.intervals()[part.first_interval + part.count - 1].begin) {}
 
 }  // namespace vehicle

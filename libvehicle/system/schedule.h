@@ -61,7 +61,7 @@ struct Sampling {
 };
 inline constexpr double kPointsPerTurn = 20.0;
 
-/// Samples of a run and breakpoints of its input, merged once, in indices. Intervales join bit for bit, each is longer
+/// Samples of a run and breakpoints of its input, merged once, in indices. Intervals join bit for bit, each is longer
 /// than a billionth of an output step, and one ends on each breakpoint; a breakpoint that is a sample (within a
 /// billionth of a step) ends one interval. The first sample stands at the begin, the last at the end of the input.
 ///
@@ -76,7 +76,7 @@ class Schedule {
   /// both sides of every breakpoint.
   Schedule(const Input& input, const Sampling& sampling);
 
-  /// Intervales of one segment: those between points are equally long, the first and the last may be shorter.
+  /// Intervals of one segment: those between points are equally long, the first and the last may be shorter.
   struct Part {
     int segment = 0;
     int next = 0;              // the segment after it
@@ -85,7 +85,7 @@ class Schedule {
     int cut = 1;               // points of an output step
     int finer = 1;             // points between two of the regular grid
     std::int64_t first = 0;    // number of the first point of the grid behind `begin`
-    std::size_t count = 1;     // intervales
+    std::size_t count = 1;     // intervals
     bool first_whole = false;  // whether `begin` is a point of the grid
     bool last_whole = false;   // whether `end` is one
     bool shown = true;         // whether `end` is a sample
@@ -97,10 +97,10 @@ class Schedule {
   };
 
   class Iterator;
-  /// The intervales of a run, made one by one as they are asked for. Cost of [] grows with the logarithm of the segments.
-  class Intervales {
+  /// The intervals of a run, made one by one as they are asked for. Cost of [] grows with the logarithm of the segments.
+  class Intervals {
    public:
-    explicit Intervales(const Schedule& schedule) : schedule_(&schedule) {}
+    explicit Intervals(const Schedule& schedule) : schedule_(&schedule) {}
     [[nodiscard]] std::size_t size() const { return schedule_->interval_count_; }
     [[nodiscard]] bool empty() const { return size() == 0; }
     [[nodiscard]] Interval operator[](std::size_t index) const { return schedule_->intervalAt(index); }
@@ -112,9 +112,9 @@ class Schedule {
    private:
     const Schedule* schedule_;
   };
-  [[nodiscard]] Intervales intervales() const { return Intervales(*this); }
+  [[nodiscard]] Intervals intervals() const { return Intervals(*this); }
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
-  /// How many intervales from that one on, itself included, are whole steps of the grid of one segment; 0 if it is none.
+  /// How many intervals from that one on, itself included, are whole steps of the grid of one segment; 0 if it is none.
   [[nodiscard]] std::size_t wholeFrom(std::size_t index) const;
 
   [[nodiscard]] int samples() const { return samples_; }  // the one at the start included
@@ -151,7 +151,7 @@ class Schedule {
   std::vector<Part> parts_;
 };
 
-/// Goes through the intervales in order.
+/// Goes through the intervals in order.
 class Schedule::Iterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -179,8 +179,8 @@ class Schedule::Iterator {
   const Part* part_;
 };
 
-inline Schedule::Iterator Schedule::Intervales::begin() const { return {*schedule_, 0}; }
-inline Schedule::Iterator Schedule::Intervales::end() const { return {*schedule_, size()}; }
+inline Schedule::Iterator Schedule::Intervals::begin() const { return {*schedule_, 0}; }
+inline Schedule::Iterator Schedule::Intervals::end() const { return {*schedule_, size()}; }
 
 /// Called at every sample in order, sample 0 included. At a breakpoint `segment` is the one that begins there
 /// (right-hand limit). Returning false ends the run after this sample.

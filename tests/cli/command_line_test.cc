@@ -57,7 +57,7 @@ TEST(CommandLine, EveryOptionOfStudyTellsItsDefault) {
     if (has(text, "--help") || has(text, "--quiet")) continue;
     EXPECT_TRUE(has(text, "(default: ") || has(text, "(required)")) << text;
   }
-  EXPECT_EQ(options, 11u) << help;
+  EXPECT_EQ(options, 12u) << help;
 }
 
 TEST(CommandLine, VersionIsOneLineOnStdout) {

@@ -176,8 +176,8 @@ TEST(ShippedStudies, AreNotWarnedOf) {
 // A suite warns of its pairs and speeds as the default run of each finds them, whatever else it compares: two forms do.
 TEST(ShippedSuites, AreNotWarnedOf) {
   for (const std::string& file : filesOf("suites")) {
-    const ProgramRun run = runVehicle({"validate", file, "--serial", "--form", "flat", "--form", "matrix", "--method",
-                                       "exact", "--strict", "--quiet", "--format", "json"});
+    const ProgramRun run = runVehicle({"validate", file, "--form", "flat", "--form", "matrix", "--method", "exact",
+                                       "--strict", "--quiet", "--format", "json"});
     EXPECT_EQ(run.status, 0) << file << run.err;
     EXPECT_EQ(run.err, "") << file;
     EXPECT_TRUE(Json::parse(run.out)["tables"]["warnings"]["rows"].empty()) << file;

@@ -59,7 +59,7 @@ inline ScalarRun scalarRun(const EnsembleDesign& design, const Input& rail, cons
   const Schedule schedule(rail, sampling);
   Rk4<FlatRhs, 8> stepper{FlatRhs(design.vehicle)};
   ColumnSummaries summaries(kFlatColumns);
-  auto next = schedule.intervales().begin();
+  auto next = schedule.intervals().begin();
   std::optional<SampleWeights> weights;
   const auto columns = [&](int segment, double t, std::span<const double> x) {
     std::array<double, 12> u{};
@@ -85,7 +85,7 @@ inline ScalarRun scalarRun(const EnsembleDesign& design, const Input& rail, cons
                    regular = interval.regular;
                    const bool ends = own == part.count;
                    ++next;
-                   if (ends && !(next == schedule.intervales().end())) begin(segment, t, x);
+                   if (ends && !(next == schedule.intervals().end())) begin(segment, t, x);
                  }
                  if (regular >= 0 && t >= sampling.count_from) made.history.push_back(columns(segment, t, x));
                  return true;

@@ -38,8 +38,8 @@ void expectPaperRail(History history, const std::string& name) {
   const Input input = inputOf(test::paperScenario(history), paperTopology(), 20.0);
   const Schedule schedule(input, 5e-3);
   ASSERT_EQ(schedule.samples(), 2001);
-  std::vector<int> segment_at(2001, schedule.intervales().front().segment);
-  for (const Interval each : schedule.intervales()) {
+  std::vector<int> segment_at(2001, schedule.intervals().front().segment);
+  for (const Interval each : schedule.intervals()) {
     if (each.sample >= 0) segment_at[static_cast<std::size_t>(each.sample)] = each.next;
   }
   std::ifstream file(test::sourcePath("tests/excitation/data/") + name);

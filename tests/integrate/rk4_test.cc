@@ -100,7 +100,7 @@ TEST(Rk4, CutOfTheInputIntoBlocksLeavesNoTrace) {
 }
 
 TEST(Rk4, FourEvaluationsAStepAndStepsThatDivideEveryInterval) {
-  // Intervales of 10 ms, of 3.7 + 6.3 ms around the breakpoint at 0.3137 s, all in steps of at most 4 ms, each cut in two.
+  // Intervals of 10 ms, of 3.7 + 6.3 ms around the breakpoint at 0.3137 s, all in steps of at most 4 ms, each cut in two.
   const Case problem = caseOf("onset", bounce(), sineOnsetRail());
   long calls = 0;
   const ExpressionSystem counted(2, 1, [&](const double* x, const double* u, double* dx) {

@@ -96,7 +96,7 @@ TEST(MatrixColumns, OfAContactAreItsCompressionTimesItsStiffness) {
   EXPECT_WITHIN(y["wheelset_1.load"], q0 + 2.4e9 * 3e-5 + 20e3 * 4e-2, 1e-9);
   EXPECT_EQ(y["wheelset_1.rail_z"], 1e-5);
   EXPECT_EQ(y["wheelset_1.z"], -2e-5);
-  // The primary above intervales by what the wheelset went down.
+  // The primary above intervals by what the wheelset went down.
   EXPECT_WITHIN(y["primary_1.deflection"], 2e-5, 1e-20);
   EXPECT_WITHIN(y["primary_1.force"], 2440e3 * 2e-5 + 8e3 * 1e-2, 1e-12);
 }

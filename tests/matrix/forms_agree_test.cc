@@ -131,7 +131,7 @@ TEST(BogiePitch, ChangesWheelLoads) {
   const auto form = buildMatrixForm(compile(bogiePitchVehicle(), kGravity));
   std::vector<double> x(12, 0.0);
   const std::vector<double> u(12, 0.0);
-  x[3] = 1e-3;  // the front bogie's nose up by 1 mrad: its leading axle's spring intervales by 1.28 mm
+  x[3] = 1e-3;  // the front bogie's nose up by 1 mrad: its leading axle's spring intervals by 1.28 mm
   const Columns y(*form, x, u);
   const double q0 = (32e3 / 4 + 2615.0 / 2 + 1813.0) * kGravity;
   EXPECT_WITHIN(y["wheelset_1.load"], q0 - 2440e3 * 1.28e-3, 1e-9);

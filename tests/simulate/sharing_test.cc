@@ -212,7 +212,6 @@ TEST(Sharing, AutoWeighsOnlyTheThreadsThatTheMapKnows) {
   choice.sharing.threads = 0;
   choice.sharing.map = EquationMap::kPaper;
   const RunResult made = run(paperVehicle(), shortened(paperScenario(History::kOnset)), "flat", "rk4", choice);
-  EXPECT_EQ(made.decision.candidates.size(), 3u);
   for (const Candidate& each : made.decision.candidates) {
     EXPECT_EQ(each.threads, each.scheme == Scheme::kSerial ? 1 : 4) << nameOf(each.scheme);
   }

@@ -10,10 +10,10 @@
 namespace vehicle {
 namespace {
 
-std::vector<double> nodesOf(std::size_t intervales, double first, double point_step, double last) {
+std::vector<double> nodesOf(std::size_t intervals, double first, double point_step, double last) {
   std::vector<double> nodes{0.0};
-  for (std::size_t i = 0; i < intervales; ++i) {
-    nodes.push_back(nodes.back() + (i == 0 ? first : i + 1 == intervales ? last : point_step));
+  for (std::size_t i = 0; i < intervals; ++i) {
+    nodes.push_back(nodes.back() + (i == 0 ? first : i + 1 == intervals ? last : point_step));
   }
   return nodes;
 }
@@ -30,7 +30,7 @@ TEST(SampleWeights, IntegrateCubicsExactlyWhateverTheEnds) {
           for (std::size_t i = 0; i <= n; ++i) sum += weights[i] * std::pow(nodes[i], power);
           const double exact = std::pow(nodes.back(), power + 1) / (power + 1);
           // Weights of a short end interval are differences of numbers 1/0.01 apart.
-          EXPECT_NEAR(sum, exact, 1e-11 * exact) << n << " intervales of 1 between " << first << " and " << last;
+          EXPECT_NEAR(sum, exact, 1e-11 * exact) << n << " intervals of 1 between " << first << " and " << last;
         }
       }
     }

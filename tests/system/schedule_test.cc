@@ -24,15 +24,15 @@ Input cutAt(const std::vector<double>& borders) {
   return Input(1, std::move(segments));
 }
 
-// What every schedule keeps: intervales join, none is a sliver, samples come in order, the segments hold there.
+// What every schedule keeps: intervals join, none is a sliver, samples come in order, the segments hold there.
 void expectSound(const Input& input, const Schedule& schedule) {
   const double same = 1e-9 * schedule.outputStep();
-  const auto intervales = schedule.intervales();
+  const auto intervals = schedule.intervals();
   double reached = input.begin();
   int sample = 0;
-  ASSERT_FALSE(intervales.empty());
-  for (std::size_t i = 0; i < intervales.size(); ++i) {
-    const Interval interval = intervales[i];
+  ASSERT_FALSE(intervals.empty());
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const Interval interval = intervals[i];
     EXPECT_EQ(interval.begin, reached) << "interval " << i;
     EXPECT_GT(interval.end - interval.begin, same) << "interval " << i;
     EXPECT_GE(interval.begin, input.segment(interval.segment).begin - same) << "interval " << i;
@@ -41,8 +41,8 @@ void expectSound(const Input& input, const Schedule& schedule) {
       EXPECT_EQ(interval.sample, ++sample);
       EXPECT_EQ(interval.end, schedule.time(sample));
     }
-    if (i + 1 < intervales.size()) {
-      EXPECT_EQ(interval.next, intervales[i + 1].segment) << "interval " << i;
+    if (i + 1 < intervals.size()) {
+      EXPECT_EQ(interval.next, intervals[i + 1].segment) << "interval " << i;
     }
     reached = interval.end;
   }
@@ -53,8 +53,8 @@ TEST(Schedule, SmoothInputGivesOneIntervalAnOutputStep) {
   const Input input = cutAt({0.0, 10.0});
   const Schedule schedule(input, 5e-3);
   EXPECT_EQ(schedule.samples(), 2001);
-  EXPECT_EQ(schedule.intervales().size(), 2000u);
-  EXPECT_EQ(schedule.intervales().back().end, 10.0);
+  EXPECT_EQ(schedule.intervals().size(), 2000u);
+  EXPECT_EQ(schedule.intervals().back().end, 10.0);
   expectSound(input, schedule);
 }
 
@@ -65,24 +65,24 @@ TEST(Schedule, BreakpointThatIsASampleUpToRoundingLeavesNoSliver) {
   const Input input = cutAt({0.0, breakpoint, 0.3});
   const Schedule schedule(input, 5e-3);
   EXPECT_EQ(schedule.samples(), 61);
-  ASSERT_EQ(schedule.intervales().size(), 60u);
-  const Interval before = schedule.intervales()[29];
+  ASSERT_EQ(schedule.intervals().size(), 60u);
+  const Interval before = schedule.intervals()[29];
   EXPECT_EQ(before.sample, 30);
   EXPECT_EQ(before.end, breakpoint);
   EXPECT_EQ(before.segment, 0);
   EXPECT_EQ(before.next, 1);
-  EXPECT_EQ(schedule.intervales()[30].segment, 1);
+  EXPECT_EQ(schedule.intervals()[30].segment, 1);
   expectSound(input, schedule);
 }
 
 TEST(Schedule, BreakpointBetweenSamplesCutsTheInterval) {
   const Input input = cutAt({0.0, 0.1234, 1.0});
   const Schedule schedule(input, 0.1);
-  ASSERT_EQ(schedule.intervales().size(), 11u);
-  EXPECT_EQ(schedule.intervales()[1].end, 0.1234);
-  EXPECT_EQ(schedule.intervales()[1].sample, -1);
-  EXPECT_EQ(schedule.intervales()[2].sample, 2);
-  EXPECT_EQ(schedule.intervales()[2].segment, 1);
+  ASSERT_EQ(schedule.intervals().size(), 11u);
+  EXPECT_EQ(schedule.intervals()[1].end, 0.1234);
+  EXPECT_EQ(schedule.intervals()[1].sample, -1);
+  EXPECT_EQ(schedule.intervals()[2].sample, 2);
+  EXPECT_EQ(schedule.intervals()[2].segment, 1);
   expectSound(input, schedule);
 }
 
@@ -93,7 +93,7 @@ TEST(Schedule, ManyBreakpointsBetweenTwoSamples) {
   const Input input = cutAt(borders);
   const Schedule schedule(input, 0.25);
   EXPECT_EQ(schedule.samples(), 5);
-  EXPECT_EQ(schedule.intervales().size(), 499u + 4u);
+  EXPECT_EQ(schedule.intervals().size(), 499u + 4u);
   expectSound(input, schedule);
 }
 
@@ -101,30 +101,30 @@ TEST(Schedule, OutputStepLongerThanEverySegment) {
   const Input input = cutAt({0.0, 0.1, 0.2, 0.3, 0.4, 1.0});
   const Schedule schedule(input, 0.5);
   EXPECT_EQ(schedule.samples(), 3);
-  EXPECT_EQ(schedule.intervales().size(), 6u);
+  EXPECT_EQ(schedule.intervals().size(), 6u);
   expectSound(input, schedule);
 }
 
-TEST(Schedule, BreakpointsAtTheStartAndAtTheEndAreNoIntervales) {
+TEST(Schedule, BreakpointsAtTheStartAndAtTheEndAreNoIntervals) {
   const double sliver = 1e-13;
   const Input input = cutAt({0.0, sliver, 1.0 - sliver, 1.0});
   const Schedule schedule(input, 0.1);
   EXPECT_EQ(schedule.samples(), 11);
-  ASSERT_EQ(schedule.intervales().size(), 10u);
-  EXPECT_EQ(schedule.intervales().front().segment, 1);
-  EXPECT_EQ(schedule.intervales().front().begin, 0.0);
-  EXPECT_EQ(schedule.intervales().back().segment, 1);
-  EXPECT_EQ(schedule.intervales().back().next, 2);
+  ASSERT_EQ(schedule.intervals().size(), 10u);
+  EXPECT_EQ(schedule.intervals().front().segment, 1);
+  EXPECT_EQ(schedule.intervals().front().begin, 0.0);
+  EXPECT_EQ(schedule.intervals().back().segment, 1);
+  EXPECT_EQ(schedule.intervals().back().next, 2);
   expectSound(input, schedule);
 }
 
 TEST(Schedule, BreakpointsCloserThanABillionthOfAStepAreOne) {
   const Input input = cutAt({0.0, 0.1234, 0.1234 + 5e-11, 0.3 - 5e-11, 0.3 + 3e-11, 1.0});
   const Schedule schedule(input, 0.1);
-  EXPECT_EQ(schedule.intervales().size(), 11u);
-  EXPECT_EQ(schedule.intervales()[2].segment, 2);
-  EXPECT_EQ(schedule.intervales()[3].end, 0.3 - 5e-11);
-  EXPECT_EQ(schedule.intervales()[3].next, 4);
+  EXPECT_EQ(schedule.intervals().size(), 11u);
+  EXPECT_EQ(schedule.intervals()[2].segment, 2);
+  EXPECT_EQ(schedule.intervals()[3].end, 0.3 - 5e-11);
+  EXPECT_EQ(schedule.intervals()[3].next, 4);
   expectSound(input, schedule);
 }
 
@@ -133,7 +133,7 @@ TEST(Schedule, TheLastSampleIsTheEndOfTheRunWhereverThatLies) {
   const Schedule schedule(input, 0.1);
   EXPECT_EQ(schedule.samples(), 12);
   EXPECT_EQ(schedule.outputs(), 12);
-  const Interval last = schedule.intervales().back();
+  const Interval last = schedule.intervals().back();
   EXPECT_EQ(last.sample, 11);
   EXPECT_EQ(last.output, 11);
   EXPECT_EQ(last.regular, -1);
@@ -153,7 +153,7 @@ TEST(Schedule, DurationThatIsAMultipleUpToRoundingKeepsItsLastSample) {
       const Input rounded = cutAt({0.0, std::nextafter(n * step, 0.0)});
       const Schedule schedule(rounded, step);
       EXPECT_EQ(schedule.samples(), n + 1) << step << " s x " << n;
-      EXPECT_LE(schedule.intervales().back().end, rounded.end());
+      EXPECT_LE(schedule.intervals().back().end, rounded.end());
     }
   }
 }
@@ -224,7 +224,7 @@ TEST(MeasuredSchedule, CutsOutputStepsByTheFastestMotionOfTheSystem) {
     EXPECT_EQ(schedule.outputs(), 201);
     EXPECT_EQ(schedule.samples(), 200 * schedule.cut() + 1);
     int output = 0;
-    for (const Interval interval : schedule.intervales()) {
+    for (const Interval interval : schedule.intervals()) {
       if (interval.output < 0) continue;
       EXPECT_EQ(interval.output, ++output);
       EXPECT_EQ(interval.end, SampleGrid(0.0, 5e-3).time(output));
@@ -241,7 +241,7 @@ TEST(MeasuredSchedule, FollowsAPassingBumpWhileItLastsAndALastingWaveAllTheTime)
   const Schedule around(passing, Sampling{.output_step = 5e-3, .fastest = 10.0});
   EXPECT_EQ(around.cut(), 1);
   EXPECT_LT(around.samples(), 201 + 2 + 30);
-  for (const Interval interval : around.intervales()) {
+  for (const Interval interval : around.intervals()) {
     if (interval.segment != 1) continue;
     EXPECT_LE(interval.end - interval.begin, 2.0 * std::numbers::pi / bump / kPointsPerTurn * 1.001);
   }
@@ -254,10 +254,10 @@ TEST(MeasuredSchedule, SeesBothSidesOfEveryBreakpoint) {
   const Schedule schedule(input, Sampling{.output_step = 0.05});
   EXPECT_EQ(schedule.samples(), 22);
   EXPECT_EQ(schedule.outputs(), 21);
-  EXPECT_EQ(schedule.intervales()[2].sample, 3);
-  EXPECT_EQ(schedule.intervales()[2].end, 0.1234);
-  EXPECT_EQ(schedule.intervales()[2].output, -1);
-  EXPECT_EQ(schedule.intervales()[2].next, 1);
+  EXPECT_EQ(schedule.intervals()[2].sample, 3);
+  EXPECT_EQ(schedule.intervals()[2].end, 0.1234);
+  EXPECT_EQ(schedule.intervals()[2].output, -1);
+  EXPECT_EQ(schedule.intervals()[2].next, 1);
   EXPECT_EQ(schedule.time(3), 0.1234);
   expectSound(input, schedule);
 }
@@ -286,10 +286,10 @@ TEST(MeasuredSchedule, CountsFromAnOutputSampleOn) {
 TEST(Schedule, MemoryGoesWithTheSegments) {
   const Input input = cutAt({0.0, 5e4});
   const Schedule schedule(input, 5e-3);
-  EXPECT_EQ(schedule.intervales().size(), 10'000'000u);
+  EXPECT_EQ(schedule.intervals().size(), 10'000'000u);
   EXPECT_EQ(schedule.parts().size(), 1u);
   EXPECT_EQ(schedule.wholeFrom(0), 10'000'000u);
-  EXPECT_EQ(schedule.intervales()[9'999'999].end, 5e4);
+  EXPECT_EQ(schedule.intervals()[9'999'999].end, 5e4);
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ Statistics runBlockedRk4(const RunProblem& problem, FixedStep step, const Observ
 
   std::vector<double> x(problem.x0.begin(), problem.x0.end());
   Statistics statistics;
-  const Interval start = problem.schedule.intervales().front();
+  const Interval start = problem.schedule.intervals().front();
   statistics.stopped = !observe(0, start.segment, start.begin, x);
   if (statistics.stopped) return statistics;
   const std::vector<int>& order = cut.set().stateOrder();

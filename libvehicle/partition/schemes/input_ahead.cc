@@ -10,13 +10,13 @@ int rowsOf(const StepBlock& block) { return 2 * (block.last - block.first) + 1; 
 }  // namespace
 
 InputParcels::InputParcels(const Schedule& schedule, FixedStep step) {
-  const std::size_t intervales = schedule.intervales().size();
+  const std::size_t intervals = schedule.intervals().size();
   int room = 0;  // steps that still fit into the last group
   int rows = 0;  // of the last group
   long done = 0;  // steps
-  for (std::size_t first = 0; first < intervales;) {
+  for (std::size_t first = 0; first < intervals;) {
     const StepGrid grid = stepGridAt(schedule, first, step);
-    const Interval begin = schedule.intervales()[first];
+    const Interval begin = schedule.intervals()[first];
     const int steps = grid.steps * static_cast<int>(grid.count);
     grids_.push_back({begin.segment, begin.begin, grid.h, steps});
     if (steps > room) {

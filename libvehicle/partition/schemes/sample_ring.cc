@@ -22,7 +22,7 @@ SampleRing::SampleRing(const char* method, int threads, int states, const Observ
       lines_(static_cast<std::size_t>(threads)) {}
 
 bool SampleRing::begin(Member& me, const RunProblem& problem) {
-  const Interval start = problem.schedule.intervales().front();
+  const Interval start = problem.schedule.intervals().front();
   statistics_.stopped = !observe_(0, start.segment, start.begin, problem.x0);
   if (!statistics_.stopped) return true;
   stopped_.store(true, std::memory_order_relaxed);

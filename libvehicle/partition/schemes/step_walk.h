@@ -20,7 +20,7 @@ struct StepBlock {
   }
 };
 
-/// Where a run looks at its state: at the ends of intervales and of every kStepsPerBlock steps of a grid.
+/// Where a run looks at its state: at the ends of intervals and of every kStepsPerBlock steps of a grid.
 struct StepPause {
   double reached = 0.0;  // [s] by the clock of the grid, named where the state is no longer finite
   int sample = -1;       // number of the output sample here, or -1
@@ -47,10 +47,10 @@ struct StepWalk {
 /// @throws std::invalid_argument for a wrong step (stepsOf)
 template <class Enter, class Move, class Pause>
 bool walkSteps(const StepWalk& way, Enter enter, Move move, Pause pause) {
-  const Schedule::Intervales intervales = way.schedule.intervales();
-  auto next = intervales.begin();
+  const Schedule::Intervals intervals = way.schedule.intervals();
+  auto next = intervals.begin();
   long steps = 0;
-  for (std::size_t first = 0; first < intervales.size();) {
+  for (std::size_t first = 0; first < intervals.size();) {
     const StepGrid grid = stepGridAt(way.schedule, first, way.step);
     Interval interval = *next;
     const double begin = interval.begin;

@@ -127,9 +127,9 @@ class LockedMemory {
   bool locked_ = false;
 };
 
-class RealtimeRun {
+class ReleasedRun {
  public:
-  RealtimeRun(const RealtimeStep& step, std::span<double> x, ReleaseClock clock, const RealtimeChoice& choice,
+  ReleasedRun(const RealtimeStep& step, std::span<double> x, ReleaseClock clock, const RealtimeChoice& choice,
               RealtimeRows rows)
       : step_(step), x_(x), clock_(clock), choice_(choice), rows_(rows.input, report_), output_(rows.output) {}
 
@@ -217,7 +217,7 @@ class RealtimeRun {
 RealtimeReport runRealtime(const RealtimeStep& step, std::span<double> x, ReleaseClock clock,
                            const RealtimeChoice& choice, RealtimeRows rows) {
   check(x, clock, rows);
-  return RealtimeRun(step, x, clock, choice, rows).run();
+  return ReleasedRun(step, x, clock, choice, rows).run();
 }
 
 }  // namespace vehicle

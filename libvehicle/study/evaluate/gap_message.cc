@@ -16,8 +16,9 @@ std::string gapMessage(const std::vector<Channel>& columns, const std::map<std::
     const std::string* reason;
   };
   std::vector<Part> parts;
-  for (const auto& [metric, reason] : missing) {
-    const std::string& name = columns[metric].name;
+  for (const auto& gap : missing) {
+    const std::string& reason = gap.second;
+    const std::string& name = columns[gap.first].name;
     const auto same =
         std::find_if(parts.begin(), parts.end(), [&](const Part& each) { return *each.reason == reason; });
     if (same == parts.end()) {

@@ -11,10 +11,9 @@ bool isV3() {
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
          __builtin_cpu_supports("bmi2");
 }
-bool isV4() {
-  return isV3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-}
+// The masked assignment of libstdc++ 12's simd, stdx::where(mask, x) = y, assigns nothing where clang 14 compiles it for
+// AVX-512, -O1 and -O3 alike: designs would fail. g++ compiles the same lines rightly.
+bool isV4() { return false; }
 #elif defined(__x86_64__)
 bool isV3() { return __builtin_cpu_supports("x86-64-v3") != 0; }
 bool isV4() { return __builtin_cpu_supports("x86-64-v4") != 0; }

@@ -78,7 +78,8 @@ void Input::readRow(const PhasorTable& clock, int sample, int from, int to, doub
   const int count = to - from;
   for (const int rate : {0, 1}) {
     double* values = u + rate * count;
-    const double* row = rows_.data() + index_[index].offset + rate * channels_ + from;
+    // A level rail has no rows.
+    const double* row = rows_.empty() ? nullptr : rows_.data() + index_[index].offset + rate * channels_ + from;
     const double* circle = clock.phasor.data() + 2 * frequencies * static_cast<std::size_t>(sample);
     setRow(row, polynomial, clock.time[static_cast<std::size_t>(sample)], width, count, values);
     if (polynomial) row += 4 * width;

@@ -1,5 +1,6 @@
 #include "libvehicle/threads/exchange.h"
 
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -43,7 +44,7 @@ struct Network {
       for (int k = 0; k < values[static_cast<std::size_t>(other)]; ++k) sum = 0.7 * sum + (k + 1) * seen[k];
     }
     for (int k = 0; k < values[me]; ++k)
-      own[k] = sum / (k + 2.0) - 1e3 * static_cast<double>(static_cast<long>(sum / 1e3));
+      own[k] = std::fmod(sum, 1e3) / (k + 2.0);  // bounded: what grows ends as NaN, which equals nothing
   }
 };
 

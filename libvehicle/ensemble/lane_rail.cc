@@ -263,7 +263,7 @@ void LaneRun::walkUniform(int intervals) {
   meet(0, 1);
 }
 
-// A lane that has come to the end of a interval on its way to the next point; `looks_` gets what it alone has to look at.
+// A lane that has come to the end of an interval on its way to the next point; `looks_` gets what it alone has to look at.
 void LaneRun::finishInterval(std::size_t index) {
   Lane& lane = lanes_[index];
   const LanePlan::Piece& piece = lane.now();

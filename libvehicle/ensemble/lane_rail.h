@@ -18,7 +18,7 @@ struct LanePlan {
     int segment = 0;
     double begin = 0.0;  // [s]
     double h = 0.0;      // [s]
-    int steps = 0;       // of a interval
+    int steps = 0;       // of an interval
     int intervals = 1;
     bool whole = false;  // intervals are whole steps of the regular grid, each ends on a point of it
     std::size_t part = 0;
@@ -36,7 +36,7 @@ struct LanePlan {
 
   LanePlan(const Input& rail, const Schedule& schedule, FixedStep step);
   [[nodiscard]] double time(int point) const { return input->begin() + point * point_step; }
-  /// Whether a interval of a piece ends on a point of the regular grid.
+  /// Whether an interval of a piece ends on a point of the regular grid.
   [[nodiscard]] bool endsOnPoint(const Piece& piece, int interval) const;
 };
 

@@ -91,7 +91,7 @@ void SharedRail::addBlock() {
     left_ -= steps;
     steps_ += steps;
     row += 2 * static_cast<std::size_t>(steps) * kRowWidth;
-    if (left_ > 0) break;  // the block ends inside a interval
+    if (left_ > 0) break;  // the block ends inside an interval
     endInterval(*interval_);
     left_ = grid_.steps;
   }

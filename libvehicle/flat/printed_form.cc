@@ -2,14 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
-#include <span>
 
 #include "libvehicle/flat/first_order.h"
-#include "libvehicle/flat/flat_order.h"
-#include "libvehicle/flat/flat_output.h"
 #include "libvehicle/flat/flat_statics.h"
-#include "libvehicle/flat/flat_unit_response.h"
+#include "libvehicle/flat/ordered_form.h"
 #include "libvehicle/flat/printed_variants.h"
 
 namespace vehicle {
@@ -28,102 +24,72 @@ PaperCoefficients<double> paperCoefficients(const FlatParameters& v) {
           .bb = v.bp[0]};
 }
 
-class PrintedForm final : public FlatForm {
+/// x' = f(x, u) as printed, in inner order; called as FlatRhs is.
+class PrintedEquations {
  public:
-  PrintedForm(const CompiledModel& model, const FlatLayout& layout, FlatVariant variant)
-      : model_(model),
-        variant_(variant),
-        order_(model, layout),
-        loads_(flatLoads(model, layout)),
-        parameters_(flatParameters(model.topology, layout, loads_)),
-        paper_(paperCoefficients(parameters_)),
-        seven_(equation7(lettersOf(parameters_, Mapping::kPrinted))),
-        output_(model, layout, parameters_, loads_) {}
+  PrintedEquations(const FlatParameters& parameters, FlatVariant variant)
+      : variant_(variant),
+        paper_(paperCoefficients(parameters)),
+        seven_(equation7(lettersOf(parameters, Mapping::kPrinted))) {}
 
-  int channels() const override { return model_.inputs.channels; }
-  StateLayout layout() const override { return model_.states; }
-  const std::vector<Channel>& states() const override { return model_.state_channels; }
-  const std::vector<Channel>& outputs() const override { return model_.outputs.channels(); }
-  FlatVariant variant() const override { return variant_; }
-  const FlatParameters& parameters() const override { return parameters_; }
-  const FlatRhs* rhs() const override { return nullptr; }
-  const std::array<int, 8>& stateOrder() const override { return order_.state; }
-  const std::array<int, 4>& wheelOrder() const override { return order_.wheel; }
-  std::optional<StateSpace> linear() const override { return unitResponses(*this); }
-
-  void derivative(std::span<const double> x, std::span<const double> u, std::span<double> dx) const override {
-    const Inner inner = innerDerivative(x, u.first(8));
-    order_.scatterState(inner.dx, dx);
-  }
-
-  void output(std::span<const double> x, std::span<const double> u, std::span<double> y) const override {
-    const Inner inner = innerDerivative(x, u.first(8));
-    std::array<double, 12> rail;
-    order_.gatherRail(u, rail);
-    output_.write(inner.x.data(), inner.dx.data(), rail.data(), y);
+  void operator()(const double* x, const double* u, double* dx) const {
+    if (variant_ == FlatVariant::kPrinted7) {
+      seven(x, u, dx);
+    } else {
+      literal(x, u, dx);
+    }
   }
 
  private:
-  /// State, input and derivative counted from the front.
-  struct Inner {
-    std::array<double, 8> x;
-    std::array<double, 8> u;
-    std::array<double, 8> dx;
-  };
-
-  Inner innerDerivative(std::span<const double> x, std::span<const double> u) const {
-    Inner inner;
-    order_.gatherState(x, inner.x);
-    order_.gatherRail(u, inner.u);
-    if (variant_ == FlatVariant::kPrinted7) {
-      seven(inner);
-    } else {
-      literal(inner, variant_ == FlatVariant::kLiteral ? paper_.inv_cb : paper_.inv_mb);
-    }
-    return inner;
-  }
-
-  void literal(Inner& inner, double inv_inertia_of_4) const {
-    const auto& x = inner.x;
-    const auto& u = inner.u;
+  void literal(const double* x, const double* u, double* dx) const {
     const FlatState<double> s{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
     const FlatRail<double> rail{u[0], u[1], u[2], u[3], u[4], u[5], u[6], u[7]};
-    inner.dx = {s.dzk,
-                s.dphi,
-                s.dz1,
-                s.dz2,
-                printedCarbodyBounce(paper_, s),
-                printedCarbodyPitch(paper_, s),
-                printedFrontBogieBounce(paper_, s, rail, inv_inertia_of_4),
-                printedRearBogieBounce(paper_, s, rail)};
+    const double inv_inertia_of_4 = variant_ == FlatVariant::kLiteral ? paper_.inv_cb : paper_.inv_mb;
+    dx[0] = s.dzk;
+    dx[1] = s.dphi;
+    dx[2] = s.dz1;
+    dx[3] = s.dz2;
+    dx[4] = printedCarbodyBounce(paper_, s);
+    dx[5] = printedCarbodyPitch(paper_, s);
+    dx[6] = printedFrontBogieBounce(paper_, s, rail, inv_inertia_of_4);
+    dx[7] = printedRearBogieBounce(paper_, s, rail);
   }
 
-  void seven(Inner& inner) const {
+  void seven(const double* x, const double* u, double* dx) const {
     // Place of (z1, z1', z2, z2', zk, zk', phi, phi') in the inner state.
     static constexpr std::array<std::size_t, 8> kPlace = {2, 6, 3, 7, 0, 4, 1, 5};
     for (std::size_t row = 0; row < 8; ++row) {
       double sum = 0.0;
       for (std::size_t col = 0; col < 8; ++col) {
-        sum += seven_.A[row][col] * inner.x[kPlace[col]] + seven_.B[row][col] * inner.u[col];
+        sum += seven_.A[row][col] * x[kPlace[col]] + seven_.B[row][col] * u[col];
       }
-      inner.dx[kPlace[row]] = sum;
+      dx[kPlace[row]] = sum;
     }
   }
 
-  CompiledModel model_;
   FlatVariant variant_;
-  FlatOrder order_;
-  FlatLoads loads_;
-  FlatParameters parameters_;
   PaperCoefficients<double> paper_;
   Equation7 seven_;
-  FlatOutput output_;
+};
+
+class PrintedForm final : public OrderedForm<PrintedEquations> {
+ public:
+  PrintedForm(const CompiledModel& model, const FlatLayout& layout, const FlatLoads& loads,
+              const FlatParameters& parameters, FlatVariant variant)
+      : OrderedForm(model, layout, loads, parameters, PrintedEquations(parameters, variant)), variant_(variant) {}
+
+  FlatVariant variant() const override { return variant_; }
+  const FlatRhs* rhs() const override { return nullptr; }
+
+ private:
+  FlatVariant variant_;
 };
 
 }  // namespace
 
 std::unique_ptr<FlatForm> buildPrintedForm(const CompiledModel& model, const FlatLayout& layout, FlatVariant variant) {
-  return std::make_unique<PrintedForm>(model, layout, variant);
+  const FlatLoads loads = flatLoads(model, layout);
+  return std::make_unique<PrintedForm>(model, layout, loads, flatParameters(model.topology, layout, loads), variant);
 }
 
 }  // namespace vehicle

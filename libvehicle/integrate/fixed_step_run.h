@@ -8,7 +8,7 @@
 
 namespace vehicle {
 
-/// Number of equal steps of a interval: the fewest that are not above step.step, then each cut in step.refine.
+/// Number of equal steps of an interval: the fewest that are not above step.step, then each cut in step.refine.
 /// A length that exceeds a multiple of the step by rounding alone does not cost one more.
 /// @param length  [s] > 0
 /// @throws std::invalid_argument unless step.step > 0 and finite, step.refine >= 1, and the number is below 1e9

@@ -7,7 +7,7 @@
 
 namespace vehicle {
 
-/// Size of fixed steps: the largest that is not above `step` and divides a interval evenly, then cut `refine`
+/// Size of fixed steps: the largest that is not above `step` and divides an interval evenly, then cut `refine`
 /// times. Doubling refine doubles the steps of every interval, which is what a convergence order is read from.
 struct FixedStep {
   double step = 1e-3;  // [s] > 0

@@ -30,7 +30,7 @@ struct Decision {
   std::vector<Candidate> candidates{}; // serial first, then in the order weighed
 };
 
-/// One way to run, for a interval of the run as well as for all of it.
+/// One way to run, for an interval of the run as well as for all of it.
 struct Way {
   Scheme scheme = Scheme::kSerial;
   int threads = 1;

@@ -45,7 +45,7 @@ void Recorder::measureBegin(double t, std::span<const double> x) {
   summaries_.begin(t, (*weights_)[0], y_);
 }
 
-// The sample at the end of a interval, seen from the interval.
+// The sample at the end of an interval, seen from the interval.
 void Recorder::measureEnd(const Interval& interval, int segment, double t, std::span<const double> x) {
   if (!weights_) return;
   if (interval.segment != segment) evaluate(interval.segment, t, x);

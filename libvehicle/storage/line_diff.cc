@@ -17,9 +17,9 @@ std::vector<std::string_view> linesOf(std::string_view text) {
 
 using Lines = std::vector<std::string_view>;
 
-/// A interval without a common line: the first lines of both sides are told as replaced, the rest as gone or new.
-void addInterval(const Lines& before, std::size_t a, std::size_t a_end, const Lines& now, std::size_t b,
-                 std::size_t b_end, std::vector<LineChange>& changes) {
+/// A block without a common line: the first lines of both sides count as replaced, the rest as gone or new.
+void addBlock(const Lines& before, std::size_t a, std::size_t a_end, const Lines& now, std::size_t b, std::size_t b_end,
+              std::vector<LineChange>& changes) {
   for (; a < a_end || b < b_end; ++a, b += b < b_end ? 1 : 0) {
     LineChange change;
     change.line = b + 1;
@@ -45,7 +45,7 @@ std::vector<LineChange> lineDiff(std::string_view before_text, std::string_view 
   const std::size_t columns = b_end - begin;
   constexpr std::size_t kMostCells = 1'000'000;
   if (rows * columns > kMostCells) {
-    addInterval(before, begin, a_end, now, begin, b_end, changes);
+    addBlock(before, begin, a_end, now, begin, b_end, changes);
     return changes;
   }
   // length[i][j]: common lines of before[begin + i ..] and now[begin + j ..]
@@ -60,7 +60,7 @@ std::vector<LineChange> lineDiff(std::string_view before_text, std::string_view 
   std::size_t j = 0;
   std::size_t i_open = 0;
   std::size_t j_open = 0;
-  const auto close = [&] { addInterval(before, begin + i_open, begin + i, now, begin + j_open, begin + j, changes); };
+  const auto close = [&] { addBlock(before, begin + i_open, begin + i, now, begin + j_open, begin + j, changes); };
   while (i < rows && j < columns) {
     if (before[begin + i] == now[begin + j]) {
       close();

@@ -13,7 +13,7 @@ struct Equation {
   int last_channel = 0;
 };
 
-/// Which equations to compute and where their arguments lie. Every array may hold a interval of the whole only, so
+/// Which equations to compute and where their arguments lie. Every array may hold a part of the whole only, so
 /// that a thread works on its own memory: x[0] is the displacement of equation `x_first`.
 struct EquationWindow {
   int first = 0;                 // equations first .. last-1 are computed

@@ -57,7 +57,7 @@ struct Sampling {
   /// as many a period of the fastest harmonic that the rail has at the time.
   double fastest = 0.0;
   int steps = 0;            // fixed steps that an output step is cut into: samples end steps; 0: any
-  double count_from = 0.0;  // [s] an output sample: the motion is measured from there on, and a interval ends there
+  double count_from = 0.0;  // [s] an output sample: the motion is measured from there on, and an interval ends there
 };
 inline constexpr double kPointsPerTurn = 20.0;
 

@@ -43,8 +43,8 @@ Written attributesOf(const ElementRow& row, const void* object) {
     }
     const Value value = attribute.get(object);
     const bool given = !std::holds_alternative<std::monostate>(value);
-    const bool told = attribute.required || !attribute.sets.empty() || !isSame(value, attribute.get(row.fresh()));
-    if (given && told) written.emplace_back(attribute.name, xmlEscaped(attributeText(attribute, value)));
+    const bool is_needed = attribute.required || !attribute.sets.empty() || !isSame(value, attribute.get(row.fresh()));
+    if (given && is_needed) written.emplace_back(attribute.name, xmlEscaped(attributeText(attribute, value)));
   }
   if (row.reserved != nullptr) {
     // Accessors take a mutable struct; nothing is changed through it here.

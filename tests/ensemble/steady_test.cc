@@ -200,7 +200,7 @@ TEST_P(SteadyLanes, GiveADesignTheSameBitsInAnyCompanyAndOverARailEach) {
   }
 }
 
-// A raised rail raises everything by as much, and nothing is lengthened; a carbody without springs has no answer, and
+// A raised rail raises everything by as much, and no spring is deflected; a carbody without springs has no answer, and
 // that is its own affair.
 TEST_P(SteadyLanes, FollowAConstantHeightAndTellWhoCannot) {
   std::vector<EnsembleDesign> designs = bothKinds(5, 5);

@@ -120,7 +120,7 @@ TEST(SimbodyRun, TheStepAfterABreakpointStartsFromTheRightHandLimit) {
   EXPECT_WITHIN(worst, 0.0, 5e-8);
 }
 
-// On a breakpoint that is an output sample the observer is told the segment that begins there.
+// On a breakpoint that is an output sample the observer gets the segment that begins there.
 TEST(SimbodyRun, SampleOnABreakpointBelongsToTheSegmentThatBegins) {
   const Input input(1, {flat(1, 0.0, 0.1, 0.0), sine(0.1, 0.3, 0.01, 5.0)});
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);

@@ -83,11 +83,11 @@ TEST(SharedColumns, OfAnAsymmetricVehicleLeaveBounceAndPitchTogether) {
   for (const Unsupported& unsupported : report.unsupported) EXPECT_NE(unsupported.method, "rk4_split");
   ValidationChoice asked = flatChoice();
   asked.methods = {"rk4_split", "exact"};
-  const ValidationReport told = validate(vehicle, onsetFor(0.5), asked);
-  ASSERT_FALSE(told.unsupported.empty());
-  EXPECT_EQ(told.unsupported[0].method, "rk4_split");
-  EXPECT_NE(told.unsupported[0].reason.find("mass of the front bogie"), std::string::npos)
-      << told.unsupported[0].reason;
+  const ValidationReport on_request = validate(vehicle, onsetFor(0.5), asked);
+  ASSERT_FALSE(on_request.unsupported.empty());
+  EXPECT_EQ(on_request.unsupported[0].method, "rk4_split");
+  EXPECT_NE(on_request.unsupported[0].reason.find("mass of the front bogie"), std::string::npos)
+      << on_request.unsupported[0].reason;
 }
 
 // A machine that is too busy gives less evidence, which is no pass.

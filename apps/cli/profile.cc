@@ -112,7 +112,7 @@ int profileAndPrint(const Options& options, const CLI::App& command) {
   if (command.count("--trace") > 0) guard.claim(options.trace, "--trace", OutputKind::kTrace);
   if (command.count("--timeline") > 0) guard.claim(options.timeline, "--timeline", OutputKind::kTimeline);
   requireOptionsUsed(command, options, model);
-  printNotes(notesOn(std::vector<Scenario>{model.scenario}), options.common);
+  printNotes(notesOn(model.scenario), options.common);
   return options.period ? profileByTheClock(model, options) : profileThreads(model, options);
 }
 

@@ -122,8 +122,7 @@ void requireSettingsUsed(const CLI::App& command, const std::vector<std::string>
 
 void requireSpeedUsed(const CLI::App& command, const std::vector<Scenario>& scenarios) {
   if (!isGiven(command, "--speed") || scenarios.empty()) return;
-  const auto needs = [](const Scenario& each) { return each.track.has_value() || each.run.distance.has_value(); };
-  if (std::any_of(scenarios.begin(), scenarios.end(), needs)) return;
+  if (std::ranges::any_of(scenarios, wheelsRoll)) return;
   refuseWithoutEffect(
       "--speed",
       fmt::format("the scenario \"{}\" is a rig with a duration, where no wheel rolls", scenarios.front().name),

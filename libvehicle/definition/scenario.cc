@@ -28,9 +28,8 @@ void checkRun(const Scenario& scenario, ProblemList& problems) {
   } else if (run.duration && run.distance) {
     judge.say("has duration and distance", "give one of them");
   }
-  // Without a track the wheels do not roll, so the speed only matters where a distance is to be covered.
-  const bool rolls = scenario.track || run.distance;
-  const bool speed_in_order = rolls ? judge.positive("speed", run.speed, kSpeed) : judge.number<&Run::speed>(run);
+  const bool speed_in_order =
+      wheelsRoll(scenario) ? judge.positive("speed", run.speed, kSpeed) : judge.number<&Run::speed>(run);
   const bool step_in_order = judge.number<&Run::output_step>(run);
   judge.numbers<&Run::duration, &Run::distance, &Run::speed, &Run::output_step>(run);
   if (!step_in_order || !length_in_order || !speed_in_order) return;
@@ -219,6 +218,8 @@ double angularFrequencyOf(const RigSine& sine) {
 bool hasSingleFeatures(const Track& track) {
   return !track.dips.empty() || !track.bumps.empty() || !track.ramps.empty();
 }
+
+bool wheelsRoll(const Scenario& scenario) { return scenario.track || scenario.run.distance; }
 
 double durationOf(const Scenario& scenario) {
   if (scenario.run.duration) return *scenario.run.duration;

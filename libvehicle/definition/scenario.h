@@ -168,6 +168,9 @@ struct Scenario {
 /// Whether the track has members that a vehicle meets once: then there is no steady state.
 [[nodiscard]] bool hasSingleFeatures(const Track& track);
 
+/// Whether wheels roll, on a track or over a distance; on a rig with a duration the speed has no effect.
+[[nodiscard]] bool wheelsRoll(const Scenario& scenario);
+
 /// Time the run lasts [s]: duration, or distance / speed.
 [[nodiscard]] double durationOf(const Scenario& scenario);
 

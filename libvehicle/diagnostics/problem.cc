@@ -31,6 +31,15 @@ void ProblemList::append(const ProblemList& other) {
   problems_.insert(problems_.end(), other.problems_.begin(), other.problems_.end());
 }
 
+void ProblemList::addNew(const Problem& problem) {
+  if (!contains(problem)) add(problem);
+}
+
+bool ProblemList::contains(const Problem& problem) const {
+  return std::any_of(problems_.begin(), problems_.end(),
+                     [text = problem.text()](const Problem& each) { return each.text() == text; });
+}
+
 void ProblemList::sortByPlace() {
   std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
     return std::tie(a.place.file, a.place.line) < std::tie(b.place.file, b.place.line);

@@ -33,6 +33,9 @@ class ProblemList {
   /// The same from its parts, for texts made on the spot: g++ 12 takes a Problem braced of them for one half made.
   void add(const Place& place, std::string element, std::string message, std::string remedy);
   void append(const ProblemList& other);
+  /// Unless it is among them already.
+  void addNew(const Problem& problem);
+  [[nodiscard]] bool contains(const Problem& problem) const;
   /// Sorts by file and line, keeping the order of equals: checks run in passes, readers read from the top.
   void sortByPlace();
 

@@ -36,8 +36,7 @@ std::optional<FlatColumn> after(FlatColumn first, std::optional<int> place) {
 }  // namespace
 
 EnsembleDesign ensembleDesign(const Topology& topology, const FlatLayout& layout, double gravity) {
-  const std::optional<FlatLoads> lever = leverRule(topology, layout, gravity);
-  const FlatLoads loads = lever ? *lever : loadsAtRest(restOf(topology, gravity), layout);
+  const FlatLoads loads = flatLoads(topology, layout, gravity);
   EnsembleDesign design;
   design.vehicle = flatParameters(topology, layout, loads);
   design.wheel_load = loads.wheel;

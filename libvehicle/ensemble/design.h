@@ -52,7 +52,7 @@ inline constexpr int kFlatColumns = static_cast<int>(FlatColumn::kFirstPoint) + 
 
 /// The design of a vehicle that the flat form fits: parameters, static loads, wheelset masses, and the arms of its
 /// measuring points on the carbody, in file order. It starts at rest on level rail.
-/// @param layout  readLayout(vehicle, topology).layout, whole
+/// @param layout  readLayout(topology).layout, whole
 /// @throws InvalidInput if the springs cannot carry the weight, as restOf() says
 [[nodiscard]] EnsembleDesign ensembleDesign(const Topology& topology, const FlatLayout& layout, double gravity);
 

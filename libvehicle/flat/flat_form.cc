@@ -38,27 +38,31 @@ class PaperForm final : public OrderedForm<FlatRhs> {
   FlatEquationSet equations_;
 };
 
+/// The layout, and what the variant cannot represent; the layout is whole where there is nothing.
+FlatReading readFor(const Topology& topology, FlatVariant variant) {
+  if (topology.units > 1 && variant != FlatVariant::kConsistent) {
+    FlatReading train;
+    train.problems.add({topology.origin, "<train name=\"" + topology.name + "\">",
+                        "is a train; the printed equations are of one vehicle", "take the form flat"});
+    return train;
+  }
+  FlatReading reading = readLayout(topology);
+  if (reading.problems.empty() && variant != FlatVariant::kConsistent) {
+    reading.problems.append(asymmetries(topology, reading.layout));
+  }
+  return reading;
+}
+
 }  // namespace
 
 ProblemList flatUnsupported(const Topology& topology, FlatVariant variant) {
-  ProblemList problems;
-  if (topology.units > 1 && variant != FlatVariant::kConsistent) {
-    problems.add({topology.origin, "<train name=\"" + topology.name + "\">",
-                  "is a train; the printed equations are of one vehicle", "take the form flat"});
-    return problems;
-  }
-  const FlatReading reading = readLayout(topology);
-  problems.append(reading.problems);
-  if (problems.empty() && variant != FlatVariant::kConsistent) {
-    problems.append(asymmetries(topology, reading.layout));
-  }
-  return problems;
+  return readFor(topology, variant).problems;
 }
 
 std::unique_ptr<FlatForm> buildFlatForm(const CompiledModel& model, FlatVariant variant) {
-  ProblemList problems = flatUnsupported(model.topology, variant);
-  if (!problems.empty()) throw InvalidInput(std::move(problems));
-  const FlatLayout layout = readLayout(model.topology).layout;
+  FlatReading reading = readFor(model.topology, variant);
+  if (!reading.problems.empty()) throw InvalidInput(std::move(reading.problems));
+  const FlatLayout& layout = reading.layout;
   if (variant != FlatVariant::kConsistent) return buildPrintedForm(model, layout, variant);
   const FlatLoads loads = flatLoads(model, layout);
   return std::make_unique<PaperForm>(model, layout, loads, flatParameters(model.topology, layout, loads));

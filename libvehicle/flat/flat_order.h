@@ -16,7 +16,9 @@ struct FlatOrder {
   std::array<int, 4> wheel{};
 
   FlatOrder(const CompiledModel& model, const FlatLayout& layout) : wheel(layout.wheelset) {
-    const auto body = [&](int index) { return model.topology.bodies[static_cast<std::size_t>(index)]; };
+    const auto body = [&](int index) -> const TopologyBody& {
+      return model.topology.bodies[static_cast<std::size_t>(index)];
+    };
     const std::array<int, 4> place = {body(layout.carbody).z_index, body(layout.carbody).pitch_index,
                                       body(layout.bogie[0]).z_index, body(layout.bogie[1]).z_index};
     for (std::size_t i = 0; i < 4; ++i) {

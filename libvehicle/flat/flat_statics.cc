@@ -52,6 +52,11 @@ FlatLoads flatLoads(const CompiledModel& model, const FlatLayout& layout) {
   return loads ? *loads : loadsAtRest(model.rest, layout);
 }
 
+FlatLoads flatLoads(const Topology& topology, const FlatLayout& layout, double gravity) {
+  const std::optional<FlatLoads> loads = leverRule(topology, layout, gravity);
+  return loads ? *loads : loadsAtRest(restOf(topology, gravity), layout);
+}
+
 FlatParameters flatParameters(const Topology& topology, const FlatLayout& layout, const FlatLoads& loads) {
   const TopologyBody& carbody = topology.bodies[at(layout.carbody)];
   const TopologySuspension& front = topology.suspensions[at(layout.secondary[0])];

@@ -26,6 +26,9 @@ struct FlatLoads {
 
 /// By the lever rule, else those at rest.
 [[nodiscard]] FlatLoads flatLoads(const CompiledModel& model, const FlatLayout& layout);
+/// The same of a vehicle that is not compiled: its rest is found where the lever rule has no answer.
+/// @throws InvalidInput if the springs cannot carry the weight, as restOf() says
+[[nodiscard]] FlatLoads flatLoads(const Topology& topology, const FlatLayout& layout, double gravity);
 
 [[nodiscard]] FlatParameters flatParameters(const Topology& topology, const FlatLayout& layout, const FlatLoads& loads);
 

@@ -17,14 +17,13 @@ CompiledModel compileChecked(Vehicle vehicle, double gravity) {
   Rest rest = restOf(topology, gravity);
   std::vector<SuspensionLawPtr> laws = lawsOf(topology);
   const StateLayout states{.coordinates = topology.coordinates};
-  std::vector<OutputKey> state_keys = stateKeys(topology);
-  std::vector<Channel> state_channels = stateChannels(topology);
   OutputLayout outputs(topology);
+  std::vector<OutputKey> state_keys = stateKeys(topology);
+  std::vector<Channel> state_channels = stateChannels(outputs, state_keys);
   const InputLayout inputs{static_cast<int>(topology.wheelsets.size())};
-  std::vector<RailChannel> rail = railChannels(topology);
   return {std::move(vehicle), gravity, std::move(topology),   std::move(rest),
           std::move(laws),    states,  std::move(state_keys), std::move(state_channels),
-          std::move(outputs), inputs,  std::move(rail)};
+          std::move(outputs), inputs};
 }
 
 }  // namespace vehicle

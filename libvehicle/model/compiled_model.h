@@ -23,7 +23,6 @@ struct CompiledModel {
   std::vector<Channel> state_channels;  // its name and unit
   OutputLayout outputs;
   InputLayout inputs;
-  std::vector<RailChannel> rail;  // what each channel of the input is
 };
 
 /// Checks and compiles.

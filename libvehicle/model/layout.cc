@@ -142,21 +142,18 @@ std::vector<OutputKey> stateKeys(const Topology& topology) {
   return keys;
 }
 
-std::vector<Channel> stateChannels(const Topology& topology) {
-  const OutputLayout outputs(topology);
-  std::vector<Channel> states;
-  for (const OutputKey& each : stateKeys(topology)) {
-    states.push_back(outputs.channels()[static_cast<std::size_t>(outputs.column(each))]);
+std::vector<Channel> stateChannels(const OutputLayout& outputs, const std::vector<OutputKey>& states) {
+  std::vector<Channel> channels;
+  for (const OutputKey& each : states) {
+    channels.push_back(outputs.channels()[static_cast<std::size_t>(outputs.column(each))]);
   }
-  return states;
+  return channels;
+}
+
+std::vector<Channel> stateChannels(const Topology& topology) {
+  return stateChannels(OutputLayout(topology), stateKeys(topology));
 }
 
 std::vector<Channel> resultChannels(const Topology& topology) { return OutputLayout(topology).channels(); }
-
-std::vector<RailChannel> railChannels(const Topology& topology) {
-  std::vector<RailChannel> channels(topology.wheelsets.size());
-  for (std::size_t j = 0; j < channels.size(); ++j) channels[j].wheelset = static_cast<int>(j);
-  return channels;
-}
 
 }  // namespace vehicle

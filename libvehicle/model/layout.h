@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "libvehicle/definition/scenario.h"
 #include "libvehicle/model/topology.h"
 #include "libvehicle/system/layout.h"
 #include "libvehicle/units/channel.h"
@@ -71,25 +70,10 @@ class OutputLayout {
 /// What each state x = (q, q') of that topology is: a column, too.
 [[nodiscard]] std::vector<OutputKey> stateKeys(const Topology& topology);
 /// Their names: "carbody.z" [m], "carbody.pitch" [rad], ..., "carbody.vz" [m/s], "carbody.pitch_rate" [rad/s], ...
+[[nodiscard]] std::vector<Channel> stateChannels(const OutputLayout& outputs, const std::vector<OutputKey>& states);
 [[nodiscard]] std::vector<Channel> stateChannels(const Topology& topology);
 
 /// Columns of an OutputLayout.
 [[nodiscard]] std::vector<Channel> resultChannels(const Topology& topology);
-
-/// In which direction the rail moves a wheel.
-enum class RailComponent {
-  kHeight,
-  kLateral
-};
-
-/// What one channel of the input is. The planar forms have one a wheelset: the mean height of both rails.
-struct RailChannel {
-  int wheelset = 0;
-  RailSide side = RailSide::kBoth;
-  RailComponent component = RailComponent::kHeight;
-};
-
-/// The channels of a topology in the order of the input.
-[[nodiscard]] std::vector<RailChannel> railChannels(const Topology& topology);
 
 }  // namespace vehicle

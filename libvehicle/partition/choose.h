@@ -52,7 +52,7 @@ struct TuningProblem {
 ///
 /// A rule of thumb first: the cost of a step and of its input, counted for what each scheme must compute and exchange,
 /// says what a way can reach at best. The most promising, or two that it cannot tell apart, are then tried on the first
-/// steps of the run itself, in rounds alternately with the first way: three rounds where all of them say the same clearly,
+/// steps of the run itself, in rounds that alternate with the first way: three rounds where all of them say the same clearly,
 /// up to nine otherwise. The median of the ratios decides, so that something else that uses the machine for a part of
 /// the trials changes nothing; the reason has their number and range. All of it takes about 60 ms at most and a
 /// fiftieth of the run: a run too short for that takes the first way at once. Results do not depend on it; only the

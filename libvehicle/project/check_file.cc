@@ -84,15 +84,6 @@ CheckedFile checkStudy(const std::string& path, FileSource& files, Settings& set
   return checked;
 }
 
-/// Several vehicles may show the same mistake of a scenario.
-void appendNew(const ProblemList& found, ProblemList& problems) {
-  for (const Problem& each : found) {
-    const bool is_known = std::any_of(problems.begin(), problems.end(),
-                                      [&](const Problem& other) { return other.text() == each.text(); });
-    if (!is_known) problems.add(each);
-  }
-}
-
 }  // namespace
 
 CheckedFile checkFile(const std::string& path, FileSource& files) {
@@ -132,7 +123,10 @@ std::vector<NamedCheck> checkFiles(const std::vector<std::string>& paths, FileSo
   if (is_read) settings.requireRight();
   for (NamedCheck& scenario : all) {
     ProblemList found;
-    for (const NamedCheck& vehicle : all) appendNew(checkPair(vehicle.found, scenario.found), found);
+    for (const NamedCheck& vehicle : all) {
+      // Several vehicles may show the same mistake of a scenario.
+      for (const Problem& each : checkPair(vehicle.found, scenario.found)) found.addNew(each);
+    }
     scenario.found.problems.append(found);
   }
   return all;

@@ -28,20 +28,8 @@ std::string asOption(std::string text) {
   return fmt::format("--set \"{}\"", text);
 }
 
-bool holds(const ProblemList& problems, const Problem& problem) {
-  return std::any_of(problems.begin(), problems.end(),
-                     [&](const Problem& each) { return each.text() == problem.text(); });
-}
-
-void addNew(Problem problem, ProblemList& problems) {
-  if (!holds(problems, problem)) problems.add(std::move(problem));
-}
-
-/// Whether the speed of the scenario has any effect.
-bool rolls(const Scenario& scenario) { return scenario.track || scenario.run.distance; }
-
 bool has(const Vehicle&, const std::string&) { return true; }
-bool has(const Scenario& scenario, const std::string& address) { return address != "speed" || rolls(scenario); }
+bool has(const Scenario& scenario, const std::string& address) { return address != "speed" || wheelsRoll(scenario); }
 
 }  // namespace
 
@@ -80,8 +68,8 @@ void Settings::applyTo(Owner& owner) {
     if (given.setting.value.empty()) continue;
     const ParsedQuantity value = parseQuantity(given.setting.value, parameter->dimension);
     if (!value.si) {
-      addNew({{given.shown, 0}, "", fmt::format("\"{}\" {}", given.setting.value, value.message), value.remedy},
-             given.problems);
+      given.problems.addNew(
+          {{given.shown, 0}, "", fmt::format("\"{}\" {}", given.setting.value, value.message), value.remedy});
     } else if (given.problems.empty()) {
       parameter->setIn(changed, *value.si);
       taken.push_back(i);
@@ -118,18 +106,18 @@ void Settings::judge(const Owner& before, const Owner& after, const std::vector<
   for (const Problem& problem : check(after)) {
     bool is_of_one = false;
     for (std::size_t k = 0; k < taken.size(); ++k) {
-      if (!holds(alone[k], problem)) continue;
+      if (!alone[k].contains(problem)) continue;
       is_of_one = true;
       Given& given = all_[taken[k]];
-      addNew({{given.shown, 0}, problem.element, problem.message, problem.remedy}, given.problems);
+      given.problems.addNew({{given.shown, 0}, problem.element, problem.message, problem.remedy});
     }
-    if (!is_of_one) addNew({{shown, 0}, problem.element, problem.message, problem.remedy}, of_several_);
+    if (!is_of_one) of_several_.addNew({{shown, 0}, problem.element, problem.message, problem.remedy});
   }
 }
 
 void Settings::refuse(std::string_view address, const std::string& message, const std::string& remedy) {
   for (Given& each : all_) {
-    if (each.setting.address == address) addNew({{each.shown, 0}, "", message, remedy}, each.problems);
+    if (each.setting.address == address) each.problems.addNew({{each.shown, 0}, "", message, remedy});
   }
 }
 

@@ -179,7 +179,10 @@ StudyOutcome evaluate(const StudyWork& work, const StudyTarget& target, Executor
 void protectInputs(OutputGuard& guard, const StudyWork& work, const std::string& study_file) {
   guard.protect(study_file, "the study file");
   const fs::path folder = fs::path(study_file).parent_path();
-  for (const InputFile& each : work.texts) guard.protect((folder / each.name).lexically_normal(), "the input file");
+  for (const InputFile& each : work.texts) {
+    if (each.name == kSettingsName) continue;  // no file
+    guard.protect((folder / each.name).lexically_normal(), "the input file");
+  }
 }
 
 ProblemList asSeenFromHere(const ProblemList& problems, const std::string& study_file) {

@@ -138,7 +138,7 @@ RealtimeRun simulateRealtime(const CompiledModel& model, const Scenario& scenari
   const std::unique_ptr<System> system = buildForm(run.form, model);
   const Input input = inputOf(scenario, model.topology, run.speed);
   run.steps = stepsIn(input, period);
-  const MotionRates rates = isLinearForm(run.form) ? MotionRates(*system) : MotionRates(*buildMatrixForm(model));
+  const MotionRates rates = motionRatesOf(run.form, *system, model);
   if (auto warning = stepWarning(period, input.end() - input.begin(), rates, "--realtime")) {
     run.warnings.push_back(std::move(*warning));
   }

@@ -7,14 +7,14 @@
 
 namespace vehicle {
 
-// Methods on the flat form by type: the compiler sees equations and stepper as one, no virtual call in between.
-// Each gives the bits of its namesake on the same form; the printed variants go that way.
+// Methods on the flat form by type: the compiler sees equations and stepper as one, no virtual call in between. The
+// paper's own form is the one that is run most. Each gives the bits of its namesake, which takes every other form and
+// the printed variants.
 
 /// The problem's system where it is the flat form, else nullptr.
 [[nodiscard]] const FlatForm* flatFormOf(const RunProblem& problem);
 
 /// runRk4() by type.
-/// @param problem  of the flat form, here and below
 Statistics runFlatRk4(const RunProblem& problem, FixedStep step, const Observer& observe);
 
 /// runPipeline() by type.

@@ -85,4 +85,8 @@ std::unique_ptr<System> buildForm(const std::string& form, const CompiledModel& 
   return entryOf(form).build(model);  // each builder throws what speaks against the form
 }
 
+MotionRates motionRatesOf(const std::string& form, const System& system, const CompiledModel& model) {
+  return isLinearForm(form) ? MotionRates(system) : MotionRates(*buildMatrixForm(model));
+}
+
 }  // namespace vehicle

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libvehicle/diagnostics/problem.h"
+#include "libvehicle/linear/motion_rates.h"
 #include "libvehicle/model/compiled_model.h"
 #include "libvehicle/system/system.h"
 
@@ -29,5 +30,8 @@ namespace vehicle {
 
 /// @throws InvalidInput with formUnsupported()
 [[nodiscard]] std::unique_ptr<System> buildForm(const std::string& form, const CompiledModel& model);
+
+/// How fast a form moves; of a nonlinear one its linearisation about rest, which is the matrix form.
+[[nodiscard]] MotionRates motionRatesOf(const std::string& form, const System& system, const CompiledModel& model);
 
 }  // namespace vehicle

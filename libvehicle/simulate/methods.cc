@@ -85,19 +85,13 @@ Statistics runMethod(const std::string& method, const System& system, const Inpu
                      const MethodSettings& settings, std::span<const double> x0, const Observer& observe) {
   if (method == "exact") return runExact(system, input, schedule, x0, observe);
   const RunProblem problem{system, input, schedule, x0};
-  // The paper's own form is the one that is run most: its equations come without a virtual call.
-  const auto* flat = dynamic_cast<const FlatForm*>(&system);
-  if (method == "dopri5") {
-    return flat != nullptr ? runFlatDopri5(problem, settings.accuracy, observe)
-                           : runDopri5(system, input, schedule, settings.accuracy, x0, observe);
-  }
+  if (method == "dopri5") return runFlatDopri5(problem, settings.accuracy, observe);
   if (method == "rk4") {
-    if (flat != nullptr) return runFlatRk4(problem, settings.step, observe);
     // Three times as fast on a train, whose state and stages would go through the cache four times a step.
     if (dynamic_cast<const FlatTrain*>(&system) != nullptr) {
       return runBlockedRk4(problem, settings.step, observe);
     }
-    return runRk4(system, input, schedule, settings.step, x0, observe);
+    return runFlatRk4(problem, settings.step, observe);
   }
   if (isSplitMethod(method)) {
     if (const std::string unsupported = splitMethodUnsupported(method, system); !unsupported.empty()) {

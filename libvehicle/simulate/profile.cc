@@ -1,17 +1,12 @@
 #include "libvehicle/simulate/profile.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace vehicle {
 namespace {
 
 constexpr int kRounds = 5;
 constexpr double kEnough = 2.0;  // [s]
-
-double secondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// The time a step of a run, unless that was ended early.
 void addTime(const RunResult& result, StepTimes& times) {
@@ -39,11 +34,11 @@ Profile profileOf(const CompiledModel& model, const Scenario& scenario, const Ru
   serial.sharing = {.threads = 1, .scheme = Scheme::kSerial};
   RunChoice plain = choice;
   Tracer tracer(every);  // one for all rounds: after the first its memory is at hand
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = secondsNow();
   double round_took = 0.0;
   for (int round = 0; round < kRounds; ++round) {
-    if (round > 0 && secondsSince(begin) + round_took > kEnough) break;
-    const auto round_begin = std::chrono::steady_clock::now();
+    if (round > 0 && secondsNow() - begin + round_took > kEnough) break;
+    const double round_begin = secondsNow();
     const auto run = [&](RunChoice each, StepTimes& times, int number) {
       each.measures = false;  // the steps are what is timed
       RunResult result = simulate(model, scenario, each, [&](double share) {
@@ -69,7 +64,7 @@ Profile profileOf(const CompiledModel& model, const Scenario& scenario, const Ru
     profile.run.decision = decision;
     if (profile.stopped) return profile;
     profile.trace = tracer.trace();
-    round_took = secondsSince(round_begin);
+    round_took = secondsNow() - round_begin;
   }
   return profile;
 }

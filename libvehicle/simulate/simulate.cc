@@ -84,36 +84,9 @@ bool isFollowed(const Schedule& schedule, double fastest) {
   return schedule.isResolved() && schedule.outputStep() / schedule.cut() * fastest <= ExactIntegrals::kMostTurn;
 }
 
-/// How fast the form moves; of a nonlinear one its linearisation about rest, which is the matrix form.
-MotionRates ratesOf(const std::string& form, const System& system, const CompiledModel& model) {
-  return isLinearForm(form) ? MotionRates(system) : MotionRates(*buildMatrixForm(model));
-}
-
-}  // namespace
-
-void requireRunnable(const CompiledModel& model, const Scenario& scenario) {
-  ProblemList problems = check(scenario);
-  if (problems.empty()) problems.append(check(scenario, model.vehicle));
-  if (!problems.empty()) throw InvalidInput(std::move(problems));
-  if (model.gravity == scenario.gravity) return;
-  throw std::invalid_argument(
-      fmt::format("the model was compiled under a gravity of {} m/s^2, the scenario has {}; "
-                  "compile it under that",
-                  model.gravity, scenario.gravity));
-}
-
-RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
+/// The run itself; model, scenario and choice are in order.
+RunResult runRight(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
                    const Progress& progress) {
-  checkChoice(choice);
-  requireRight(vehicle, scenario);
-  return simulate(compileChecked(vehicle, scenario.gravity), scenario, choice, progress);
-}
-
-RunResult simulate(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
-                   const Progress& progress) {
-  checkChoice(choice);
-  requireRunnable(model, scenario);
-
   RunResult result;
   result.form = choice.form.empty() ? defaultForm(model.topology) : choice.form;
   result.method = choice.method.empty() ? defaultMethod(result.form, model.states.size()) : choice.method;
@@ -134,7 +107,7 @@ RunResult simulate(const CompiledModel& model, const Scenario& scenario, const R
   RunPlan plan;
   double fastest = 0.0;  // [rad/s]
   if (choice.measures) {
-    const MotionRates rates = ratesOf(result.form, *system, model);
+    const MotionRates rates = motionRatesOf(result.form, *system, model);
     fastest = rates.fastest();
     plan = planOf({.fixed_step = is_fixed_step,
                    .step = choice.step,
@@ -186,6 +159,33 @@ RunResult simulate(const CompiledModel& model, const Scenario& scenario, const R
   append(rangeWarnings(model.outputs, result.summaries, model.gravity), result.warnings);
   if (!schedule.isResolved() && !choice.step) append({coarseSamples(schedule)}, result.warnings);
   return result;
+}
+
+}  // namespace
+
+void requireRunnable(const CompiledModel& model, const Scenario& scenario) {
+  ProblemList problems = check(scenario);
+  if (problems.empty()) problems.append(check(scenario, model.vehicle));
+  if (!problems.empty()) throw InvalidInput(std::move(problems));
+  if (model.gravity == scenario.gravity) return;
+  throw std::invalid_argument(
+      fmt::format("the model was compiled under a gravity of {} m/s^2, the scenario has {}; "
+                  "compile it under that",
+                  model.gravity, scenario.gravity));
+}
+
+RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunChoice& choice,
+                   const Progress& progress) {
+  checkChoice(choice);
+  requireRight(vehicle, scenario);
+  return runRight(compileChecked(vehicle, scenario.gravity), scenario, choice, progress);
+}
+
+RunResult simulate(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
+                   const Progress& progress) {
+  checkChoice(choice);
+  requireRunnable(model, scenario);
+  return runRight(model, scenario, choice, progress);
 }
 
 }  // namespace vehicle

@@ -85,8 +85,9 @@ std::vector<double> loadDeviations(const Topology& topology, const Rest& rest) {
     double count = 0.0;
   };
   std::map<std::string_view, Mean> means;
-  const bool is_train = !topology.wheelsets.empty() && topology.wheelsets.front().name.find('.') != std::string::npos;
-  const auto keyOf = [&](std::size_t j) { return is_train ? unitOf(topology.wheelsets[j].name) : std::string_view(); };
+  const auto keyOf = [&](std::size_t j) {
+    return topology.units > 0 ? unitOf(topology.wheelsets[j].name) : std::string_view();
+  };
   for (std::size_t j = 0; j < topology.wheelsets.size(); ++j) {
     Mean& mean = means[keyOf(j)];
     mean.sum += rest.wheel_load[j];

@@ -1,6 +1,5 @@
 #include "libvehicle/threads/team.h"
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <mutex>
@@ -35,7 +34,7 @@ class TeamRun {
         policy_(policy),
         work_(work),
         report_{.members = {}, .waiting = {}, .cores = allowedCores()},
-        bells_(static_cast<std::size_t>(std::max(threads, 1))) {
+        bells_(static_cast<std::size_t>(threads)) {
     const int cores = static_cast<int>(report_.cores.size());
     report_.waiting = waitingOf(policy, threads, cores);
     report_.members.resize(static_cast<std::size_t>(threads));

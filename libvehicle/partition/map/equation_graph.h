@@ -11,7 +11,6 @@ struct EquationRun {
   int first = 0;
   int last = 0;
   [[nodiscard]] int size() const { return last - first; }
-  [[nodiscard]] bool holds(int equation) const { return first <= equation && equation < last; }
   friend bool operator==(const EquationRun&, const EquationRun&) = default;
 };
 

@@ -58,7 +58,7 @@ class FlatBlock {
   std::vector<std::vector<EnsembleDesign>> designs_;  // (groups x alive)
   std::vector<std::vector<Input>> rails_;             // (cases x alive) where not shared
   std::vector<std::vector<double>> output_steps_;     // (scenarios x alive) where not shared
-  Vehicle vehicle_;                                   // workspace of the long way
+  Vehicle vehicle_;                                   // workspace of the reference path
   std::vector<Scenario> scenarios_;
 };
 

@@ -1,6 +1,5 @@
 #include "libvehicle/study/evaluate/flat_designs.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -52,7 +51,7 @@ std::optional<FlatDesigns::Target> FlatDesigns::targetOf(const StudyParameter& p
   return target;
 }
 
-// At least as strict as check(vehicle): what is not allowed here takes the long way and is judged there.
+// At least as strict as check(vehicle): what is not allowed here takes the reference path and is judged there.
 bool FlatDesigns::isAllowed(const Target& target, double value) const {
   if (!std::isfinite(value)) return false;
   switch (target.number) {

@@ -15,7 +15,7 @@ namespace vehicle {
 
 /// Makes ensemble designs from parameter values. Where only stiffnesses, dampings, masses, inertias and loads vary, the
 /// values go straight into the topology of the base, without looking names up again; everything else, and every
-/// value that check() might refuse, takes the long way over a copy of the vehicle. Both give the same bits.
+/// value that check() might refuse, takes the reference path over a copy of the vehicle. Both give the same bits.
 ///
 /// Keeps workspace: one object a thread. The vehicle must fit the flat form.
 class FlatDesigns {
@@ -37,9 +37,9 @@ class FlatDesigns {
   /// Whether wheel positions, and with them delays, are those of the base in every design.
   [[nodiscard]] bool geometryIsFixed() const { return direct_; }
 
-  /// The vehicle that was set; only after the long way.
+  /// The vehicle that was set; only after the reference path.
   [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
-  /// Takes the long way always: what the short one is compared with.
+  /// Takes the reference path always: what the direct one is compared with.
   void useReferencePath() { by_reference_ = true; }
 
  private:
@@ -66,7 +66,7 @@ class FlatDesigns {
 
   const StudyInputs& inputs_;
   Vehicle vehicle_;
-  std::vector<Scenario> scenarios_;  // written by the long way, read by nobody
+  std::vector<Scenario> scenarios_;  // written by the reference path, read by nobody
   Topology topology_;
   FlatLayout layout_;
   std::vector<std::optional<Target>> targets_;  // (parameters); nothing: a scenario's

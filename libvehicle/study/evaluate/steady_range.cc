@@ -1,6 +1,5 @@
 #include "libvehicle/study/evaluate/steady_range.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

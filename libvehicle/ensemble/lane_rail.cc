@@ -69,6 +69,7 @@ LaneRun::LaneRun(std::span<const LanePlan* const> plans, std::span<const FlatPar
     lanes_[i].vehicle = vehicles[i];
     for (int k = 0; k < plans[i]->input->segments(); ++k) {
       const InputSegment& segment = plans[i]->input->segment(k);
+      requireClosedForm("ensemble", "run each design by itself", segment);
       frequencies_ = std::max(frequencies_, segment.angular_frequency.size());
       rail_.polynomial = rail_.polynomial || std::any_of(segment.polynomial.begin(), segment.polynomial.end(),
                                                          [](double value) { return value != 0.0; });

@@ -30,6 +30,7 @@ std::string place(std::size_t rail) { return "steady ensemble: rail " + std::to_
 
 void checkRail(std::size_t index, const InputSegment* rail) {
   if (rail == nullptr) throw std::invalid_argument(place(index) + "is null");
+  requireClosedForm("steady ensemble", "run each design by itself", *rail);
   const std::size_t F = rail->angular_frequency.size();
   if (rail->cosine.size() != 4 * F || rail->sine.size() != 4 * F || rail->polynomial.size() != 16) {
     throw std::invalid_argument(place(index) + "must have 4 channels, one a wheelset");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -12,9 +13,9 @@
 
 #include "libvehicle/definition/judge.h"
 #include "libvehicle/diagnostics/problem.h"
-#include "libvehicle/excitation/rail_piece.h"
-#include "libvehicle/excitation/rail_profile.h"
+#include "libvehicle/excitation/wheel_on_rail.h"
 #include "libvehicle/system/schedule.h"
+#include "libvehicle/track/rail_profile.h"
 #include "libvehicle/units/quantity.h"
 
 namespace vehicle {
@@ -34,17 +35,11 @@ std::string inFile(const Origin& origin, std::string_view attribute, double valu
   return Judge(none, "", "", origin).written(attribute, value, dimension);
 }
 
-void needSpeed(double speed) {
-  if (speed > 0.0 && std::isfinite(speed)) return;
-  throw std::invalid_argument(fmt::format("inputOf: speed = {} m/s, must be finite and > 0", speed));
-}
-
-double endOf(const Run& run, double speed) {
+double endOf(const Run& run, const Travel& travel) {
   if (!run.duration && !run.distance) {
     refuse(run.origin, "<scenario><run>", "has no duration and no distance", "give one of them");
   }
-  if (!run.duration) needSpeed(speed);
-  const double end = run.duration ? *run.duration : *run.distance / speed;
+  const double end = run.duration ? *run.duration : travel.time(*run.distance);
   if (!(run.output_step > 0.0) || !(end >= run.output_step * (1.0 - kSameInstant)) || !std::isfinite(end)) {
     refuse(run.origin, "<scenario><run>",
            fmt::format("lasts {} with {}; must last at least one output step", formatQuantity(end, Dimension::kTime),
@@ -103,16 +98,43 @@ void checkTrack(const Track& track, double speed, double output_step) {
   }
 }
 
+// A rail in pieces, and what messages about it say.
+struct Rail {
+  const std::vector<RailPiece>& pieces;
+  Origin origin;
+  History history = History::kExtended;
+};
+
+// The vehicle on its way: how far each wheelset is behind the leading one, and how all of them run.
+struct Wheels {
+  std::vector<double> lags;  // [m]
+  std::shared_ptr<const Travel> travel;
+};
+
 // A wheel over a piece of rail, on the segments first .. last - 1 of the run.
 struct Passage {
   std::size_t wheel = 0;
   const RailPiece* piece = nullptr;
+  std::shared_ptr<const RailMotion> motion;  // none: it has a closed form
   std::size_t first = 0;
   std::size_t last = 0;
-
-  // Level from then on: summed once instead of being carried through all segments that follow.
-  bool isStep() const { return piece->slope == 0.0 && piece->waves.empty() && std::isinf(piece->to); }
 };
+
+std::vector<Passage> passagesOf(const Rail& rail, const Wheels& wheels) {
+  std::vector<Passage> passages;
+  for (const RailPiece& piece : rail.pieces) {
+    std::shared_ptr<const RailPiece> shared;
+    if (piece.samples || !wheels.travel->isUniform()) shared = std::make_shared<RailPiece>(piece);
+    for (std::size_t j = 0; j < wheels.lags.size(); ++j) {
+      Passage& passage = passages.emplace_back();
+      passage.wheel = j;
+      passage.piece = &piece;
+      if (!shared || piece.isStep()) continue;
+      passage.motion = std::make_shared<WheelOnRail>(shared, wheels.travel, wheels.lags[j]);
+    }
+  }
+  return passages;
+}
 
 // How far each wheelset is behind the leading one [m], in the order of the topology (any order in the file).
 std::vector<double> lagsOf(const Topology& topology) {
@@ -124,15 +146,16 @@ std::vector<double> lagsOf(const Topology& topology) {
 }
 
 // Borders of the run in time, and which of them each passage begins and ends at. Passages outside the run go.
-std::vector<double> cut(std::vector<Passage>& passages, const std::vector<double>& lags, double speed, double end,
-                        double output_step) {
+std::vector<double> cut(std::vector<Passage>& passages, const Wheels& wheels, const RunLength& run) {
+  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   struct Event {
     double time;
     std::size_t passage;
     bool begins;
   };
-  const double same = kSameInstant * output_step;
-  const auto timeOf = [&](double s, std::size_t wheel) { return (s + lags[wheel]) / speed; };
+  const double same = kSameInstant * run.output_step;
+  const double end = run.end;
+  const auto timeOf = [&](double s, std::size_t wheel) { return wheels.travel->time(s + wheels.lags[wheel]); };
   std::erase_if(passages, [&](const Passage& each) {
     return timeOf(each.piece->to, each.wheel) <= same || timeOf(each.piece->from, each.wheel) >= end - same;
   });
@@ -144,14 +167,18 @@ std::vector<double> cut(std::vector<Passage>& passages, const std::vector<double
     if (from > same) events.push_back({from, i, true});
     if (to < end - same) events.push_back({to, i, false});
   }
+  for (const double jump : wheels.travel->jumps()) {
+    if (jump < end - same) events.push_back({jump, kNone, true});
+  }
   std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
 
-  const SampleGrid grid(0.0, output_step);
+  const SampleGrid grid(0.0, run.output_step);
   std::vector<double> borders{0.0};
   for (const Event& event : events) {
-    const int sample = sampleAt(0.0, output_step, event.time);
+    const int sample = sampleAt(0.0, run.output_step, event.time);
     const double time = sample >= 0 ? grid.time(sample) : event.time;
     if (time - borders.back() > same) borders.push_back(time);
+    if (event.passage == kNone) continue;
     (event.begins ? passages[event.passage].first : passages[event.passage].last) = borders.size() - 1;
   }
   for (Passage& each : passages) {
@@ -162,7 +189,7 @@ std::vector<double> cut(std::vector<Passage>& passages, const std::vector<double
 }
 
 // Refuses what would fill the memory, before it does.
-void checkSize(const Track& track, const std::vector<Passage>& passages, std::size_t segments, std::size_t wheels) {
+void checkSize(const Rail& rail, const std::vector<Passage>& passages, std::size_t segments, std::size_t wheels) {
   std::set<double> wavenumbers;
   std::vector<double> terms(segments + 1, 0.0);  // of each segment: first where they come and go, then summed up
   for (const Passage& each : passages) {
@@ -182,13 +209,13 @@ void checkSize(const Track& track, const std::vector<Passage>& passages, std::si
   const double bytes = values * sizeof(double);
   if (bytes <= kMostInputBytes) return;
   constexpr double kGibibyte = 1024.0 * 1024.0 * 1024.0;
-  refuse(track.origin, "<scenario><track>",
+  refuse(rail.origin, "<scenario><track>",
          fmt::format("{} wheelsets pass the discontinuities of the rail at different times: {} segments of input would "
                      "take {:.3g} GiB; must be "
                      "at most {:.3g} GiB",
                      wheels, segments, bytes / kGibibyte, kMostInputBytes / kGibibyte),
-         track.history == History::kOnset ? "take history=\"extended\", or a shorter train or run"
-                                          : "take a shorter train or run, or fewer dips, bumps and ramps");
+         rail.history == History::kOnset ? "take history=\"extended\", or a shorter train or run"
+                                         : "take a shorter train or run, or fewer dips, bumps and ramps");
 }
 
 // A sinusoid of one wheel, in the time that counts from the beginning of a segment.
@@ -215,61 +242,66 @@ void setTerms(InputSegment& segment, std::vector<Term> terms, std::size_t wheels
   }
 }
 
-InputSegment segmentOf(double begin, double end, double speed, const std::vector<double>& lags,
-                       const std::vector<double>& levels, const std::vector<const Passage*>& active) {
+// The closed form of a piece at constant speed, in the time that counts from the beginning of a segment.
+// @param x  [m] from the piece's origin to the wheel at that time
+void addClosedForm(const Passage& passage, double x, double speed, InputSegment& segment, std::vector<Term>& terms) {
+  const RailPiece& piece = *passage.piece;
+  double* polynomial = segment.polynomial.data() + InputSegment::kPolynomial * passage.wheel;
+  polynomial[0] += piece.level + piece.slope * x;
+  polynomial[1] += piece.slope * speed;
+  for (const RailWave& wave : piece.waves) {
+    const double sine = std::sin(wave.wavenumber * x);
+    const double cosine = std::cos(wave.wavenumber * x);
+    terms.push_back({wave.wavenumber * speed, passage.wheel, wave.cosine * cosine + wave.sine * sine,
+                     wave.sine * cosine - wave.cosine * sine});
+  }
+}
+
+InputSegment segmentOf(double begin, double end, const Wheels& wheels, const std::vector<double>& levels,
+                       const std::vector<const Passage*>& active) {
   InputSegment segment;
   segment.begin = begin;
   segment.end = end;
-  segment.polynomial.assign(lags.size() * InputSegment::kPolynomial, 0.0);
-  for (std::size_t j = 0; j < lags.size(); ++j) segment.polynomial[InputSegment::kPolynomial * j] = levels[j];
+  segment.polynomial.assign(wheels.lags.size() * InputSegment::kPolynomial, 0.0);
+  for (std::size_t j = 0; j < wheels.lags.size(); ++j) segment.polynomial[InputSegment::kPolynomial * j] = levels[j];
   std::vector<Term> terms;
   for (const Passage* passage : active) {
-    const RailPiece& piece = *passage->piece;
-    // Rounded once where the wheel stands near the piece's origin: the phase is then as good as the time itself.
-    const double x = std::fma(speed, begin, -lags[passage->wheel]) - piece.origin;
-    double* polynomial = segment.polynomial.data() + InputSegment::kPolynomial * passage->wheel;
-    polynomial[0] += piece.level + piece.slope * x;
-    polynomial[1] += piece.slope * speed;
-    for (const RailWave& wave : piece.waves) {
-      const double sine = std::sin(wave.wavenumber * x);
-      const double cosine = std::cos(wave.wavenumber * x);
-      terms.push_back({wave.wavenumber * speed, passage->wheel, wave.cosine * cosine + wave.sine * sine,
-                       wave.sine * cosine - wave.cosine * sine});
+    if (passage->motion) {
+      segment.sampled.push_back({static_cast<int>(passage->wheel), 1.0, passage->motion});
+      continue;
     }
+    // Rounded once where the wheel stands near the piece's origin: the phase is then as good as the time itself.
+    const double x = wheels.travel->distance(begin, wheels.lags[passage->wheel]) - passage->piece->origin;
+    addClosedForm(*passage, x, wheels.travel->speed(begin), segment, terms);
   }
-  setTerms(segment, std::move(terms), lags.size());
+  setTerms(segment, std::move(terms), wheels.lags.size());
   return segment;
 }
 
-Input trackInput(const Track& track, const Topology& topology, double speed, double end, double output_step) {
-  checkTrack(track, speed, output_step);
-  const std::vector<double> lags = lagsOf(topology);
-  const std::vector<RailPiece> pieces = piecesOf(track);
-  std::vector<Passage> passages;
-  for (const RailPiece& piece : pieces) {
-    for (std::size_t j = 0; j < lags.size(); ++j) passages.push_back({j, &piece, 0, 0});
-  }
-  const std::vector<double> borders = cut(passages, lags, speed, end, output_step);
-  checkSize(track, passages, borders.size() - 1, lags.size());
+Input inputOn(const Rail& rail, const Wheels& wheels, const RunLength& run) {
+  std::vector<Passage> passages = passagesOf(rail, wheels);
+  const std::vector<double> borders = cut(passages, wheels, run);
+  checkSize(rail, passages, borders.size() - 1, wheels.lags.size());
 
   std::stable_sort(passages.begin(), passages.end(),
                    [](const Passage& a, const Passage& b) { return a.first < b.first; });
   std::vector<InputSegment> segments;
-  std::vector<double> levels(lags.size(), 0.0);
+  std::vector<double> levels(wheels.lags.size(), 0.0);
   std::vector<const Passage*> active;
   auto coming = passages.begin();
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
     std::erase_if(active, [&](const Passage* each) { return each->last <= i; });
     for (; coming != passages.end() && coming->first == i; ++coming) {
-      if (coming->isStep()) {
+      // Level from then on: summed once instead of being carried through all segments that follow.
+      if (coming->piece->isStep()) {
         levels[coming->wheel] += coming->piece->level;
       } else if (coming->last > i) {
         active.push_back(&*coming);
       }
     }
-    segments.push_back(segmentOf(borders[i], borders[i + 1], speed, lags, levels, active));
+    segments.push_back(segmentOf(borders[i], borders[i + 1], wheels, levels, active));
   }
-  return Input(static_cast<int>(lags.size()), std::move(segments));
+  return Input(static_cast<int>(wheels.lags.size()), std::move(segments));
 }
 
 Input rigInput(const Rig& rig, const Topology& topology, double end) {
@@ -305,10 +337,25 @@ Input inputOf(const Scenario& scenario, const Topology& topology, double speed) 
   if (scenario.track.has_value() == scenario.rig.has_value()) {
     refuse(scenario.origin, "<scenario>", "has no or two of <track> and <rig>", "give one of them");
   }
-  if (scenario.track) needSpeed(speed);
-  const double end = endOf(scenario.run, speed);
-  return scenario.rig ? rigInput(*scenario.rig, topology, end)
-                      : trackInput(*scenario.track, topology, speed, end, scenario.run.output_step);
+  // On a rig nothing runs, and its speed may be anything as long as no distance is asked for.
+  const bool stands = scenario.rig && scenario.run.duration;
+  const Travel travel(stands ? 1.0 : speed);
+  const double end = endOf(scenario.run, travel);
+  if (scenario.rig) return rigInput(*scenario.rig, topology, end);
+  checkTrack(*scenario.track, speed, scenario.run.output_step);
+  const std::vector<RailPiece> pieces = piecesOf(*scenario.track);
+  return inputOn({pieces, scenario.track->origin, scenario.track->history},
+                 {lagsOf(topology), std::make_shared<Travel>(travel)}, {end, scenario.run.output_step});
+}
+
+Input inputOf(const std::vector<RailPiece>& rail, const Topology& topology, const Travel& travel,
+              const RunLength& run) {
+  if (!(run.output_step > 0.0 && run.end >= run.output_step * (1.0 - kSameInstant) && std::isfinite(run.end))) {
+    throw std::invalid_argument(
+        fmt::format("inputOf: a run of {} s with an output step of {} s, must last at least one of them", run.end,
+                    run.output_step));
+  }
+  return inputOn({rail, {}}, {lagsOf(topology), std::make_shared<Travel>(travel)}, run);
 }
 
 std::vector<double> breakpointsOf(const Input& input) {

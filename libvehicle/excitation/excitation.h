@@ -3,8 +3,10 @@
 #include <vector>
 
 #include "libvehicle/definition/scenario.h"
+#include "libvehicle/excitation/travel.h"
 #include "libvehicle/model/topology.h"
 #include "libvehicle/system/input.h"
+#include "libvehicle/track/rail_piece.h"
 
 namespace vehicle {
 
@@ -28,6 +30,21 @@ inline constexpr double kMostInputBytes = 1024.0 * 1024.0 * 1024.0;
 ///                       history="extended" as the remedy of an onset)
 /// @throws std::invalid_argument  unless speed is finite and > 0 (where a track or a distance needs it)
 [[nodiscard]] Input inputOf(const Scenario& scenario, const Topology& topology, double speed);
+
+/// How long a run is and how finely it is looked at.
+struct RunLength {
+  double end = 0.0;           // [s]
+  double output_step = 5e-3;  // [s] > 0
+};
+
+/// Any rail over distance as the input of the vehicle's wheelsets, who run over it as the travel says: wheel j reads at
+/// s(t) - (x_lead - x_j). At constant speed pieces of closed form stay closed forms; sampled pieces, and all of them where the
+/// speed changes, become sampled terms: one a wheelset and piece, however many samples there are. Breakpoints as above,
+/// and where the acceleration jumps.
+/// @throws std::invalid_argument  unless the run lasts at least one output step
+/// @throws InvalidInput           an input above kMostInputBytes
+[[nodiscard]] Input inputOf(const std::vector<RailPiece>& rail, const Topology& topology, const Travel& travel,
+                            const RunLength& run);
 
 /// Times of the breakpoints of an input [s]: the borders between its segments, ends of the run not included.
 [[nodiscard]] std::vector<double> breakpointsOf(const Input& input);

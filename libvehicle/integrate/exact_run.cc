@@ -15,6 +15,7 @@ constexpr const char* kName = "exact";
 StateSpace matricesForExact(const System& system, const Input& input, std::span<const double> x0) {
   checkChannels(kName, system.channels(), input.channels());
   checkStart(kName, x0, system.size());
+  for (int s = 0; s < input.segments(); ++s) requireClosedForm(kName, "take rk4 or dopri5", input.segment(s));
   std::optional<StateSpace> matrices = system.linear();
   if (!matrices) {
     throw std::invalid_argument(

@@ -41,7 +41,7 @@ double StepControl::afterRejected(double h, double error_norm) {
 }
 
 double longestStep(const InputSegment& segment) {
-  double fastest = 0.0;
+  double fastest = segment.fastestSampled();
   for (const double w : segment.angular_frequency) fastest = std::max(fastest, w);
   if (fastest == 0.0) return std::numeric_limits<double>::infinity();
   return 0.25 * 2.0 * std::numbers::pi / fastest;

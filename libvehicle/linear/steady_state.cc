@@ -77,6 +77,7 @@ Eigen::VectorXcd steadyAmplitude(const StateSpace& system, const InputSegment& s
 
 Eigen::VectorXd steadyState(const StateSpace& system, const InputSegment& segment, double t) {
   requireShape(system);
+  requireClosedForm("steady state", "", segment);
   const Eigen::Index channels = system.B.cols() / 2;
   Eigen::VectorXcd constant = Eigen::VectorXcd::Zero(2 * channels);
   for (Eigen::Index j = 0; j < channels; ++j) {

@@ -9,44 +9,45 @@
 
 namespace vehicle {
 
-RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult& result, const std::string& version) {
-  RunRecord record;
-  record.history = result.history;
-  record.attributes = {{"version", version},
-                       {"vehicle", model.vehicle.vehicle.name},
-                       {"scenario", model.scenario.name},
-                       {"form", result.form},
-                       {"method", result.method},
-                       {"speed", fmt::format("{} m/s", result.speed)},
-                       {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
+RunDescription descriptionOf(const Model& model, const RunChoice& choice, const RunResult& result,
+                             const std::string& version) {
+  RunDescription description;
+  description.attributes = {{"version", version},
+                            {"vehicle", model.vehicle.vehicle.name},
+                            {"scenario", model.scenario.name},
+                            {"form", result.form},
+                            {"method", result.method},
+                            {"speed", fmt::format("{} m/s", result.speed)},
+                            {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
   if (result.method == "rk4" || result.method == "rk4_split") {
-    record.attributes.emplace_back("step", fmt::format("{} s", result.step));
+    description.attributes.emplace_back("step", fmt::format("{} s", result.step));
   }
   if (result.method == "dopri5") {
-    record.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
-    record.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));
+    description.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
+    description.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));
   }
-  if (result.method == "simbody_rkm") record.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
-  record.attributes.emplace_back("scheme", result.scheme);
-  record.attributes.emplace_back("threads", fmt::format("{}", result.threads));
-  record.attributes.emplace_back("steps", fmt::format("{}", result.statistics.steps));
-  record.attributes.emplace_back("evaluations", fmt::format("{}", result.statistics.evaluations));
-  record.attributes.emplace_back("rejected steps", fmt::format("{}", result.statistics.rejected));
-  record.attributes.emplace_back("ended early", result.statistics.stopped ? "yes" : "no");
-  record.attributes.emplace_back("warnings", fmt::format("{}", result.warnings.size()));
+  if (result.method == "simbody_rkm")
+    description.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
+  description.attributes.emplace_back("scheme", result.scheme);
+  description.attributes.emplace_back("threads", fmt::format("{}", result.threads));
+  description.attributes.emplace_back("steps", fmt::format("{}", result.statistics.steps));
+  description.attributes.emplace_back("evaluations", fmt::format("{}", result.statistics.evaluations));
+  description.attributes.emplace_back("rejected steps", fmt::format("{}", result.statistics.rejected));
+  description.attributes.emplace_back("ended early", result.statistics.stopped ? "yes" : "no");
+  description.attributes.emplace_back("warnings", fmt::format("{}", result.warnings.size()));
   for (std::size_t i = 0; i < result.warnings.size(); ++i) {
-    record.attributes.emplace_back(fmt::format("warning {}", i + 1), result.warnings[i].text());
+    description.attributes.emplace_back(fmt::format("warning {}", i + 1), result.warnings[i].text());
   }
-  for (const Setting& each : model.settings) record.attributes.emplace_back("set " + each.address, each.value);
-  record.inputs = model.inputs;
-  return record;
+  for (const Setting& each : model.settings) description.attributes.emplace_back("set " + each.address, each.value);
+  description.inputs = model.inputs;
+  return description;
 }
 
 RunResult simulateAndStore(const Model& model, RunChoice choice, const RunOutputs& outputs, const Progress& progress) {
-  choice.keep = outputs.files.empty() ? Keep::kNothing : Keep::kOutputs;
-  RunResult result = simulate(model.vehicle, model.scenario, choice, progress);
-  const RunRecord record = recordOf(model, choice, result, outputs.version);
-  for (const std::string& file : outputs.files) writeHistory(file, record);
+  choice.keep = Keep::kNothing;
+  HistoryFiles files(outputs.files);
+  RunResult result = simulate(model.vehicle, model.scenario, choice, progress, files.empty() ? nullptr : &files);
+  files.publish(descriptionOf(model, choice, result, outputs.version));
   return result;
 }
 
@@ -61,12 +62,9 @@ std::vector<RunResult> simulateSpeeds(const Model& model, const RunChoice& choic
     RunChoice own = choice;
     own.speed = speed;
     const double before = static_cast<double>(runs.size());
-    RunResult& run = runs.emplace_back(
-        simulateAndStore(model, own, {filesAtSpeed(outputs.files, speed), outputs.version},
-                         [&](double share) { return !progress || progress((before + share) / count); }));
-    const std::vector<Channel>& columns = run.history.columns();
-    run.history = TimeHistory(std::vector<Channel>(columns.begin() + 1, columns.end()));
-    if (run.statistics.stopped) break;
+    runs.push_back(simulateAndStore(model, own, {filesAtSpeed(outputs.files, speed), outputs.version},
+                                    [&](double share) { return !progress || progress((before + share) / count); }));
+    if (runs.back().statistics.stopped) break;
   }
   return runs;
 }

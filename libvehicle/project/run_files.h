@@ -5,7 +5,7 @@
 
 #include "libvehicle/project/model.h"
 #include "libvehicle/simulate/simulate.h"
-#include "libvehicle/storage/history_file.h"
+#include "libvehicle/storage/history_writer.h"
 
 namespace vehicle {
 
@@ -15,19 +15,19 @@ struct RunOutputs {
   std::string version;             // of the program, kept with each
 };
 
-/// The run with everything needed to repeat it: version, names, settings, statistics, input files as they were read.
-[[nodiscard]] RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult& result,
-                                 const std::string& version);
+/// Everything needed to repeat the run: version, names, settings, statistics, input files as they were read.
+[[nodiscard]] RunDescription descriptionOf(const Model& model, const RunChoice& choice, const RunResult& result,
+                                           const std::string& version);
 
-/// Simulates and writes the histories.
-/// @param choice    of this run; what it says of the history to keep follows from the outputs
+/// Simulates and writes the histories as the run goes; they appear when it has ended, one that was ended early too, and
+/// not where it failed. Of the result's history the columns alone are kept.
+/// @param choice    of this run; what it says of the history to keep is not read
 /// @param progress  of the share done, 0..1; false ends the run
 /// @throws as simulate(); RunFailed if a file cannot be written
 [[nodiscard]] RunResult simulateAndStore(const Model& model, RunChoice choice, const RunOutputs& outputs,
                                          const Progress& progress = {});
 
-/// Runs at each of several speeds, one after the other; a run that is ended early is the last. Of the histories the
-/// columns alone are kept: the samples are in the files.
+/// Runs at each of several speeds, one after the other; a run that is ended early is the last.
 /// @param choice   of all runs, but for the speed   @param speeds  [m/s]
 /// @param outputs  files of all runs, each written by its name at the speed: fileAtSpeed()
 /// @param progress  of the share of all runs that is done, 0..1; false ends them

@@ -38,17 +38,12 @@ class ColumnSummaries {
   [[nodiscard]] std::vector<ColumnSummary> summaries() const;
 
  private:
-  struct Column {
-    double sum = 0.0;
-    double squares = 0.0;
-    double lowest, highest;
-    double lowest_at = 0.0, highest_at = 0.0;
-    double before = 0.0;    // two samples ago
-    double previous = 0.0;  // a sample ago
-  };
-  void look(Column& column, double t, double value) const;
+  void look(std::size_t column, double t, double value);
 
-  std::vector<Column> columns_;
+  // Of all columns, one array a quantity: the sums run over neighbours in memory.
+  std::vector<double> sum_, squares_;
+  std::vector<double> lowest_, highest_, lowest_at_, highest_at_;
+  std::vector<double> before_, previous_;  // two samples ago, a sample ago
   double time_ = 0.0;  // sum of the weights
   int known_ = 0;      // samples of this part, at most 2
   double t_before_ = 0.0;

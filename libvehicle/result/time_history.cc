@@ -40,6 +40,15 @@ std::vector<double> TimeHistory::column(std::size_t index) const {
   return values;
 }
 
+void StoredHistory::begin(const std::vector<Channel>& columns, long samples) {
+  history_ = TimeHistory(std::vector<Channel>(columns.begin() + 1, columns.end()));
+  history_.reserve(static_cast<std::size_t>(samples));
+}
+
+void StoredHistory::add(std::span<const double> row) {
+  std::copy(row.begin(), row.end(), history_.append(row[0]).begin());
+}
+
 std::size_t TimeHistory::indexOf(std::string_view name) const {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "libvehicle/result/history_sink.h"
 #include "libvehicle/units/channel.h"
 
 namespace vehicle {
@@ -38,6 +40,17 @@ class TimeHistory {
  private:
   std::vector<Channel> columns_;
   std::vector<double> values_;  // row-major (samples x columns)
+};
+
+/// Keeps a run in memory: 8 bytes a sample and column.
+class StoredHistory final : public HistorySink {
+ public:
+  void begin(const std::vector<Channel>& columns, long samples) override;
+  void add(std::span<const double> row) override;
+  [[nodiscard]] TimeHistory take() { return std::move(history_); }
+
+ private:
+  TimeHistory history_;
 };
 
 }  // namespace vehicle

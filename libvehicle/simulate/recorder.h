@@ -1,16 +1,16 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "libvehicle/result/column_summary.h"
-#include "libvehicle/result/time_history.h"
+#include "libvehicle/result/history_sink.h"
 #include "libvehicle/simulate/exact_integrals.h"
+#include "libvehicle/system/run_problem.h"
 #include "libvehicle/system/sample_weights.h"
-#include "libvehicle/system/schedule.h"
-#include "libvehicle/system/system.h"
 
 namespace vehicle {
 
@@ -24,24 +24,43 @@ enum class Keep {
   kNothing,  // summaries alone: memory does not grow with the run
 };
 
-/// The observer of a run: turns states into columns, keeps the history, measures peaks and means, watches that every
-/// number is finite.
+/// Where samples of a run go.
+struct Keeper {
+  HistorySink* sink = nullptr;
+  Keep which = Keep::kOutputs;
+};
+
+/// What a run is watched for.
+struct Watch {
+  std::vector<Keeper> keepers;    // none: memory does not grow with the run
+  Keep counted = Keep::kOutputs;  // which samples are counted: the regular ones, or those of the output
+  bool measures = true;           // the schedule has the samples that summaries need, breakpoints included
+  const Progress& progress;
+};
+
+/// The observer of a run: turns states into columns, hands samples out, measures peaks and means, watches that every
+/// number is finite. Memory is that of one sample.
 ///
 /// A column may jump at a breakpoint of the rail: the part before it is measured up to the left-hand limit, the part
 /// behind from the right-hand one on, which is also what the history holds.
 class Recorder {
  public:
-  /// @param measures  whether the schedule has the samples that summaries need, breakpoints included
-  Recorder(const System& system, const Input& input, const Schedule& schedule, Keep keep, bool measures,
-           const Progress& progress);
+  /// Begins all sinks. Looks at both: they outlive it.
+  Recorder(const RunProblem& problem, const Watch& watch);
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
 
   /// Means are integrated in closed form from now on, instead of by weights: of a run without error of its own.
-  void integrateExactly() { exact_.emplace(system_, input_, schedule_); }
+  void integrateExactly() { exact_.emplace(problem_.system, problem_.input, problem_.schedule); }
 
+  /// False too once a sink has failed.
   /// @throws RunFailed  a column is no longer finite; names it and the time
   bool operator()(int sample, int segment, double t, std::span<const double> x);
 
-  [[nodiscard]] TimeHistory takeHistory() { return std::move(history_); }
+  /// Throws what a sink has thrown: that is no failure of the integration.
+  void requireKept() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
   /// (columns after time); empty if nothing was measured
   [[nodiscard]] std::vector<ColumnSummary> summaries() const;
   [[nodiscard]] double reached() const { return reached_; }  // [s]
@@ -51,21 +70,17 @@ class Recorder {
   void evaluate(int segment, double t, std::span<const double> x);
   void measureEnd(const Interval& interval, int segment, double t, std::span<const double> x);
   void measureBegin(double t, std::span<const double> x);
-  void store(double t);
 
-  const System& system_;
-  const Input& input_;
-  const Schedule& schedule_;
-  Keep keep_;
-  bool measures_;
-  const Progress& progress_;
-  TimeHistory history_;
+  const RunProblem& problem_;
+  const Watch& watch_;
   ColumnSummaries summaries_;
   std::vector<double> u_;                 // (3 w) heights, rates, accelerations
-  std::vector<double> y_;                 // (columns after time)
+  std::vector<double> row_;               // (columns) of the sample at hand, the time first
+  std::span<double> y_;                   // those after the time
   Schedule::Iterator next_;               // the interval that ends at the next sample
   std::optional<SampleWeights> weights_;  // of its part, where that counts
   std::optional<ExactIntegrals> exact_;
+  std::exception_ptr failure_;  // of a sink
   double reached_ = 0.0;
   long outputs_ = 0;
 };

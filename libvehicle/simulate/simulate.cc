@@ -86,7 +86,7 @@ bool isFollowed(const Schedule& schedule, double fastest) {
 
 /// The run itself; model, scenario and choice are in order.
 RunResult runRight(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
-                   const Progress& progress) {
+                   const Progress& progress, HistorySink* sink = nullptr) {
   RunResult result;
   result.form = choice.form.empty() ? defaultForm(model.topology) : choice.form;
   result.method = choice.method.empty() ? defaultMethod(result.form, model.states.size()) : choice.method;
@@ -132,7 +132,12 @@ RunResult runRight(const CompiledModel& model, const Scenario& scenario, const R
   const MethodSettings settings{plan.step, {choice.relative, choice.absolute}, choice.accuracy};
   result.step = is_fixed_step ? plan.step.step : 0.0;
 
-  Recorder recorder(*system, input, schedule, choice.keep, choice.measures, progress);
+  const RunProblem problem{*system, input, schedule, x0};
+  StoredHistory stored;
+  Watch watch{.keepers = {}, .counted = choice.keep, .measures = choice.measures, .progress = progress};
+  if (choice.keep != Keep::kNothing) watch.keepers.push_back({&stored, choice.keep});
+  if (sink != nullptr) watch.keepers.push_back({sink, Keep::kOutputs});
+  Recorder recorder(problem, watch);
   if (choice.measures && isExact(result.method) && isFollowed(schedule, fastest)) recorder.integrateExactly();
   const auto begin = std::chrono::steady_clock::now();
   try {
@@ -140,7 +145,7 @@ RunResult runRight(const CompiledModel& model, const Scenario& scenario, const R
     if (choice.sharing.threads == 0 && !canBeShared(result.form, result.method)) {
       request.sharing.scheme = Scheme::kSerial;
     }
-    SharedRun run = runShared(result.method, {*system, input, schedule, x0}, settings, std::ref(recorder), request);
+    SharedRun run = runShared(result.method, problem, settings, std::ref(recorder), request);
     result.statistics = run.statistics;
     result.scheme = nameOf(run.scheme);
     result.threads = run.threads;
@@ -151,8 +156,9 @@ RunResult runRight(const CompiledModel& model, const Scenario& scenario, const R
     throw RunFailed(
         fmt::format("{} with {}: {}{}", result.form, result.method, failure.what(), causeAmong(result.warnings)));
   }
+  recorder.requireKept();
   result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.history = recorder.takeHistory();
+  result.history = choice.keep == Keep::kNothing ? TimeHistory(system->outputs()) : stored.take();
   result.summaries = recorder.summaries();
   result.reached = recorder.reached();
   result.outputs = recorder.outputs();
@@ -182,10 +188,10 @@ RunResult simulate(const Vehicle& vehicle, const Scenario& scenario, const RunCh
 }
 
 RunResult simulate(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice,
-                   const Progress& progress) {
+                   const Progress& progress, HistorySink* sink) {
   checkChoice(choice);
   requireRunnable(model, scenario);
-  return runRight(model, scenario, choice, progress);
+  return runRight(model, scenario, choice, progress, sink);
 }
 
 }  // namespace vehicle

@@ -8,6 +8,7 @@
 #include "libvehicle/diagnostics/warning.h"
 #include "libvehicle/model/compiled_model.h"
 #include "libvehicle/partition/choose.h"
+#include "libvehicle/result/history_sink.h"
 #include "libvehicle/result/time_history.h"
 #include "libvehicle/simulate/forms.h"
 #include "libvehicle/simulate/methods.h"
@@ -29,7 +30,7 @@ struct RunChoice {
   double absolute = 1e-12;      // dopri5, in the state's unit
   double accuracy = 1e-10;      // simbody_rkm
 
-  Keep keep = Keep::kOutputs;  // what becomes the history
+  Keep keep = Keep::kOutputs;  // what becomes the history in memory
   bool measures = true;        // peaks, means and warnings, from samples close enough; false: output samples alone
   double settle = 0.0;         // [s] start of the run that summaries leave out, up to the next output sample
 
@@ -64,8 +65,10 @@ struct RunResult {
 /// @throws std::invalid_argument  form, method, speed, step, tolerance, threads, scheme or map is wrong or does
 ///                                not fit the others; the message says which
 /// @throws RunFailed              NaN, or an integrator gave up; names column and time
+/// @param sink  takes the output samples as they are made, whatever choice.keep says of the result's own history; none:
+///              nobody does. What it throws ends the run
 [[nodiscard]] RunResult simulate(const CompiledModel& model, const Scenario& scenario, const RunChoice& choice = {},
-                                 const Progress& progress = {});
+                                 const Progress& progress = {}, HistorySink* sink = nullptr);
 
 /// The same of a definition, compiled for this run.
 /// @throws InvalidInput  also if the vehicle contradicts itself or its springs cannot carry the weight; what is wrong

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -15,6 +16,12 @@
 namespace vehicle {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kUnchanged = "the file that stood there before is unchanged";
+
+}  // namespace
 
 AtomicFile::AtomicFile(const fs::path& path) : shown_(path.string()), target_(followed(path)) {
   std::error_code ignored;
@@ -30,7 +37,7 @@ AtomicFile::AtomicFile(const fs::path& path) : shown_(path.string()), target_(fo
   for (int attempt = 0; attempt < kAttempts && descriptor_ < 0; ++attempt) {
     temporary_ = target_;
     temporary_ += fmt::format(".{}-{}.vehicle-tmp", ::getpid(), attempt);
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) break;
   }
   if (descriptor_ < 0) fail("cannot be written", errno, "its folder must exist and be writable");
@@ -50,18 +57,40 @@ void AtomicFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("cannot be written", errno, "the file that stood there before is unchanged");
+    if (written < 0) fail("cannot be written", errno, kUnchanged);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+void AtomicFile::writeAt(std::uint64_t offset, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot be written", errno, kUnchanged);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    offset += static_cast<std::uint64_t>(written);
+  }
+}
+
+void AtomicFile::readAt(std::uint64_t offset, std::span<char> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t got = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail("cannot be read back", errno, kUnchanged);
+    if (got == 0) break;
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    offset += static_cast<std::uint64_t>(got);
+  }
+  std::fill(bytes.begin(), bytes.end(), '\0');
 }
 
 void AtomicFile::finish() {
   if (descriptor_ < 0) return;
   // The data must be on the disk before the name points at them, or a power cut leaves an empty file under it.
-  if (::fsync(descriptor_) != 0) fail("cannot be flushed", errno, "the file that stood there before is unchanged");
+  if (::fsync(descriptor_) != 0) fail("cannot be flushed", errno, kUnchanged);
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
-  if (closed != 0) fail("cannot be closed", errno, "the file that stood there before is unchanged");
+  if (closed != 0) fail("cannot be closed", errno, kUnchanged);
 }
 
 void AtomicFile::publish() {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,11 @@ class AtomicFile {
   /// Appends bytes.
   /// @throws RunFailed (disk full, file too large, ...)
   void write(std::string_view bytes);
+  /// The same at a place of its own, counted from the begin; the file grows to hold it.
+  void writeAt(std::uint64_t offset, std::string_view bytes);
+  /// Bytes that were written there; zeros where nothing was.
+  /// @throws RunFailed
+  void readAt(std::uint64_t offset, std::span<char> bytes) const;
 
   /// Flushes to the disk and closes; nothing may be written afterwards. Called for several files before the first is
   /// published, it leaves nothing that may fail but the renaming.

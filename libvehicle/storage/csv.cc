@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/storage/atomic_file.h"
 #include "libvehicle/storage/csv_text.h"
+#include "libvehicle/storage/csv_writer.h"
 #include "libvehicle/storage/read_file.h"
 #include "libvehicle/storage/run_record.h"
 
@@ -57,26 +57,11 @@ void readRow(std::string_view line, const Place& place, const std::vector<Channe
 
 void writeCsv(const TimeHistory& history, const std::filesystem::path& path) {
   requireStorable(history);
-  AtomicFile file(path);
-  std::string text;
-  for (const Channel& column : history.columns()) {
-    if (!text.empty()) text += ',';
-    appendField(text, fmt::format("{} [{}]", column.name, column.unit));
-  }
-  text += '\n';
-  constexpr std::size_t kBlock = 1 << 20;
-  for (std::size_t i = 0; i < history.samples(); ++i) {
-    for (const double value : history.row(i)) {
-      appendNumber(text, value);
-      text += ',';
-    }
-    text.back() = '\n';
-    if (text.size() < kBlock) continue;
-    file.write(text);
-    text.clear();
-  }
-  file.write(text);
-  file.publish();
+  CsvWriter writer(path);
+  writer.begin(history.columns(), static_cast<long>(history.samples()));
+  for (std::size_t i = 0; i < history.samples(); ++i) writer.add(history.row(i));
+  writer.finish({});
+  writer.publish();
 }
 
 Outcome<TimeHistory> readCsv(const std::filesystem::path& path) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -6,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/storage/atomic_file.h"
+#include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/storage/hdf5.h"
-#include "libvehicle/storage/hdf5_handle.h"
+#include "libvehicle/storage/hdf5_writer.h"
 
 namespace vehicle {
 
@@ -30,22 +31,24 @@ void requireNames(std::string_view what, const std::vector<std::string>& names) 
   }
 }
 
-// What HDF5 could not hold is the caller's mistake and told before anything is composed.
-void requireStorable(const RunRecord& record) {
-  requireStorable(record.history);
-  std::vector<std::string> columns;
-  for (const Channel& column : record.history.columns()) {
-    columns.push_back(column.name);
+// What HDF5 could not hold is the caller's mistake and told before anything is written of it.
+void requireColumns(const std::vector<Channel>& columns) {
+  std::vector<std::string> names;
+  for (const Channel& column : columns) {
+    names.push_back(column.name);
     requireText("a unit", column.unit);
   }
-  requireNames("column", columns);
-  std::vector<std::string> attributes;
-  for (const auto& [name, value] : record.attributes) {
-    attributes.push_back(name);
+  requireNames("column", names);
+}
+
+void requireDescription(const RunDescription& description) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : description.attributes) {
+    names.push_back(name);
     requireText(fmt::format("attribute \"{}\"", name), value);
   }
-  requireNames("attribute", attributes);
-  for (const InputFile& input : record.inputs) {
+  requireNames("attribute", names);
+  for (const InputFile& input : description.inputs) {
     requireText("an input file's name", input.name);
     requireText(fmt::format("input file \"{}\"", input.name), input.text);
   }
@@ -75,68 +78,135 @@ Hdf5Handle createGroup(hid_t file, const char* name) {
   return {H5Gcreate2(file, name, H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose};
 }
 
-Hdf5Handle createDataSet(hid_t group, const std::string& name, hid_t type, hid_t space) {
-  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+Hdf5Handle dataSetProperties() {
+  Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   checked(H5Pset_obj_track_times(properties, false));
-  return {H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose};
+  return properties;
 }
 
-void writeHistoryGroup(hid_t file, const TimeHistory& history) {
-  const Hdf5Handle group = createGroup(file, "history");
-  const hsize_t samples = history.samples();
-  const Hdf5Handle space(H5Screate_simple(1, &samples, nullptr), H5Sclose);
-  for (std::size_t j = 0; j < history.columns().size(); ++j) {
-    const Channel& column = history.columns()[j];
-    const Hdf5Handle set = createDataSet(group, column.name, H5T_IEEE_F64LE, space);
-    std::vector<double> values = history.column(j);
-    for (double& each : values) each += 0.0;  // -0 + 0 = 0
-    if (samples > 0) checked(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-    writeTextAttribute(set, "unit", column.unit);
-  }
+Hdf5Handle createText(hid_t group, const std::string& name, hid_t type) {
+  const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
+  return {H5Dcreate2(group, name.c_str(), type, scalar, H5P_DEFAULT, dataSetProperties(), H5P_DEFAULT), H5Dclose};
+}
+
+/// A column that may shrink: a run may end early.
+Hdf5Handle createColumn(hid_t group, const std::string& name, hsize_t samples, hsize_t chunk) {
+  const hsize_t most = H5S_UNLIMITED;
+  const Hdf5Handle space(H5Screate_simple(1, &samples, &most), H5Sclose);
+  const Hdf5Handle properties = dataSetProperties();
+  checked(H5Pset_chunk(properties, 1, &chunk));
+  // Whole chunks are written once: a cache would only copy them.
+  const Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+  checked(H5Pset_chunk_cache(access, 1, 0, 1.0));
+  return {H5Dcreate2(group, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, access), H5Dclose};
 }
 
 void writeInputsGroup(hid_t file, const std::vector<InputFile>& inputs) {
   const Hdf5Handle group = createGroup(file, "inputs");
-  const Hdf5Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Hdf5Handle type = textType(inputs[i].text);
-    const Hdf5Handle set = createDataSet(group, std::to_string(i + 1), type, scalar);
+    const Hdf5Handle set = createText(group, std::to_string(i + 1), type);
     checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, inputs[i].text.c_str()));
     writeTextAttribute(set, "file", inputs[i].name);
   }
 }
 
-// The bytes of the whole file. The name is only a label: the core driver without backing store touches no disk.
-std::string compose(const RunRecord& record) {
-  const Hdf5Turn turn;
-  constexpr std::size_t kGrowth = 1 << 20;
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  checked(H5Pset_fapl_core(access, kGrowth, false));
-  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  checked(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-  checked(H5Pset_obj_track_times(creation, false));
-  const Hdf5Handle file(H5Fcreate("run record in memory", H5F_ACC_TRUNC, creation, access), H5Fclose);
-  for (const auto& [name, value] : record.attributes) writeTextAttribute(file, name, value);
-  writeHistoryGroup(file, record.history);
-  writeInputsGroup(file, record.inputs);
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));
-
-  std::string image(static_cast<std::size_t>(checked(H5Fget_file_image(file, nullptr, 0))), '\0');
-  checked(H5Fget_file_image(file, image.data(), image.size()));
-  return image;
-}
+constexpr std::size_t kLongestChunk = 8192;           // samples: 64 KiB of a column
+constexpr std::size_t kMostValues = 8 * 1024 * 1024;  // of all columns: 64 MiB, reached by 1024 columns
 
 }  // namespace
 
-void writeHdf5(const RunRecord& record, const std::filesystem::path& path) {
-  requireStorable(record);
-  AtomicFile file(path);
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& path) : shown_(path.string()), file_(path) {}
+
+Hdf5Writer::~Hdf5Writer() { close(); }
+
+// Handles are closed before the file, which HDF5 would else keep open.
+void Hdf5Writer::close() {
+  const Hdf5Turn turn;
+  sets_.clear();
+  hdf5_.reset();
+}
+
+template <class Work>
+void Hdf5Writer::takeTurn(const Work& work) {
   try {
-    file.write(compose(record));
+    const Hdf5Turn turn;
+    work();
   } catch (const Hdf5Error& error) {
-    throw RunFailed(fmt::format("{}: cannot be composed: {}", path.string(), error.reason));
+    target_.check();
+    throw RunFailed(fmt::format("{}: cannot be composed: {}", shown_, error.reason));
   }
-  file.publish();
+  target_.check();
+}
+
+void Hdf5Writer::begin(const std::vector<Channel>& columns, long samples) {
+  requireColumns(columns);
+  columns_ = columns;
+  room_ = static_cast<hsize_t>(samples);
+  chunk_ = std::clamp<std::size_t>(kMostValues / columns.size(), 1, kLongestChunk);
+  chunk_ = std::clamp<std::size_t>(static_cast<std::size_t>(samples), 1, chunk_);
+  values_.resize(columns.size() * chunk_);
+  takeTurn([&] {
+    const Hdf5Handle access = accessTo(target_);
+    const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    checked(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+    checked(H5Pset_obj_track_times(creation, false));
+    hdf5_.emplace(H5Fcreate("run record", H5F_ACC_TRUNC, creation, access), H5Fclose);
+    const Hdf5Handle group = createGroup(*hdf5_, "history");
+    for (const Channel& column : columns_) {
+      sets_.push_back(createColumn(group, column.name, room_, chunk_));
+      writeTextAttribute(sets_.back(), "unit", column.unit);
+    }
+  });
+}
+
+void Hdf5Writer::add(std::span<const double> row) {
+  requireStorable(columns_, row);
+  double* value = values_.data() + filled_;
+  for (const double each : row) {
+    *value = each + 0.0;  // -0 + 0 = 0
+    value += chunk_;
+  }
+  if (++filled_ == chunk_) takeTurn([&] { writeChunk(); });
+}
+
+void Hdf5Writer::writeChunk() {
+  const hsize_t count = filled_;
+  const Hdf5Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  for (std::size_t j = 0; j < sets_.size(); ++j) {
+    const Hdf5Handle space(H5Dget_space(sets_[j]), H5Sclose);
+    checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, &begun_, nullptr, &count, nullptr));
+    checked(H5Dwrite(sets_[j], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values_.data() + j * chunk_));
+  }
+  begun_ += filled_;
+  filled_ = 0;
+}
+
+void Hdf5Writer::finish(const RunDescription& description) {
+  requireDescription(description);
+  takeTurn([&] {
+    if (filled_ > 0) writeChunk();
+    for (const Hdf5Handle& set : sets_) {
+      if (begun_ < room_) checked(H5Dset_extent(set, &begun_));
+    }
+    for (const auto& [name, value] : description.attributes) writeTextAttribute(*hdf5_, name, value);
+    writeInputsGroup(*hdf5_, description.inputs);
+    checked(H5Fflush(*hdf5_, H5F_SCOPE_GLOBAL));
+  });
+  close();
+  target_.check();
+  file_.finish();
+}
+
+void writeHdf5(const RunRecord& record, const std::filesystem::path& path) {
+  requireStorable(record.history);
+  const RunDescription description{record.attributes, record.inputs};
+  requireDescription(description);
+  Hdf5Writer writer(path);
+  writer.begin(record.history.columns(), static_cast<long>(record.history.samples()));
+  for (std::size_t i = 0; i < record.history.samples(); ++i) writer.add(record.history.row(i));
+  writer.finish(description);
+  writer.publish();
 }
 
 }  // namespace vehicle

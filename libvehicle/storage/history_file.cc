@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include "libvehicle/storage/csv.h"
+#include "libvehicle/storage/csv_writer.h"
 #include "libvehicle/storage/file_identity.h"
 #include "libvehicle/storage/hdf5.h"
+#include "libvehicle/storage/hdf5_writer.h"
+#include "libvehicle/storage/history_writer.h"
 
 namespace vehicle {
 
@@ -25,6 +28,28 @@ void writeHistory(const std::filesystem::path& path, const RunRecord& record) {
     case HistoryFormat::kHdf5:
       return writeHdf5(record, path);
   }
+}
+
+std::unique_ptr<HistoryWriter> openHistory(const std::filesystem::path& path) {
+  if (historyFormatOf(path) == HistoryFormat::kCsv) return std::make_unique<CsvWriter>(path);
+  return std::make_unique<Hdf5Writer>(path);
+}
+
+HistoryFiles::HistoryFiles(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) writers_.push_back(openHistory(path));
+}
+
+void HistoryFiles::begin(const std::vector<Channel>& columns, long samples) {
+  for (const auto& writer : writers_) writer->begin(columns, samples);
+}
+
+void HistoryFiles::add(std::span<const double> row) {
+  for (const auto& writer : writers_) writer->add(row);
+}
+
+void HistoryFiles::publish(const RunDescription& description) {
+  for (const auto& writer : writers_) writer->finish(description);
+  for (const auto& writer : writers_) writer->publish();
 }
 
 }  // namespace vehicle

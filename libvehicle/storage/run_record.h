@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,15 +16,24 @@ struct InputFile {
   bool operator==(const InputFile&) const = default;
 };
 
-/// What is kept of one run: enough to repeat it.
-struct RunRecord {
-  TimeHistory history;
+/// What is kept of one run beside its history: enough to repeat it.
+struct RunDescription {
   std::vector<std::pair<std::string, std::string>> attributes;  // name, value: version, form, method, step, seed, ...
   std::vector<InputFile> inputs;                                // vehicle and scenario files
 };
 
-/// Throws unless the history has columns and every value is finite: a file must never say "nan".
+/// What is kept of one run.
+struct RunRecord {
+  TimeHistory history;
+  std::vector<std::pair<std::string, std::string>> attributes;  // of its description
+  std::vector<InputFile> inputs;
+};
+
+/// Throws unless every value of a sample is finite: a file must never say "nan".
+/// @param columns, row  "time" first
 /// @throws std::invalid_argument naming column and time
+void requireStorable(const std::vector<Channel>& columns, std::span<const double> row);
+/// The same of all samples; the history must have columns.
 void requireStorable(const TimeHistory& history);
 
 }  // namespace vehicle

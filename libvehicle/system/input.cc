@@ -59,6 +59,14 @@ void check(std::size_t index, int channels, const InputSegment& segment) {
   }
   const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
   if (twin != sorted.end()) refuse(index, "angular_frequency " + text(*twin) + " rad/s stands there twice");
+  for (const SampledTerm& term : segment.sampled) {
+    if (term.motion == nullptr) refuse(index, "a sampled term has no motion");
+    if (term.channel < 0 || term.channel >= channels) {
+      refuse(index, "a sampled term is of channel " + std::to_string(term.channel) + ", must be 0.." +
+                        std::to_string(channels - 1));
+    }
+    checkFinite(index, "weight of a sampled term", {term.weight});
+  }
 }
 
 // The loops below run over a row of `width` = 2 w values. A width known to the compiler (four wheelsets: 8) becomes
@@ -96,6 +104,20 @@ inline void sweepTwo(const double* __restrict p, Oscillator f, Oscillator g, int
 }
 
 }  // namespace
+
+double InputSegment::fastestSampled() const {
+  double fastest = 0.0;
+  for (const SampledTerm& term : sampled) fastest = std::max(fastest, term.motion->fastest());
+  return fastest;
+}
+
+void requireClosedForm(const char* who, const char* remedy, const InputSegment& segment) {
+  if (segment.sampled.empty()) return;
+  std::string message = std::string(who) + ": the rail from t = " + text(segment.begin) +
+                        " s on is known by samples, or passed at a changing speed, and has no closed form";
+  if (*remedy != '\0') message += std::string("; ") + remedy;
+  throw std::invalid_argument(message);
+}
 
 Input::Input(int channels, std::vector<InputSegment> segments) : channels_(channels), segments_(std::move(segments)) {
   if (channels < 1) throw std::invalid_argument("Input: channels = " + std::to_string(channels) + ", must be >= 1");
@@ -136,15 +158,20 @@ void Input::packRows(const InputSegment& segment) {
 }
 
 template <int kWidth>
-void Input::evaluateRows(const InputSegment& segment, Rows rows, double t, double* u) const {
+void Input::evaluateRows(const InputSegment& segment, Rows rows, double t, double* u, double* acceleration) const {
   const int width = kWidth > 0 ? kWidth : 2 * channels_;
   const double s = t - segment.begin;
   const double* row = rows_.data() + rows.offset;
   // Sums of a known width are kept in registers: going through u costs a store and a load a frequency.
   std::array<double, (kWidth > 0 ? kWidth : 1)> sums{};
   double* sum = kWidth > 0 ? sums.data() : u;
+  const int w = width / 2;
+  if (acceleration != nullptr) std::fill_n(acceleration, w, 0.0);
   if (rows.polynomial) {
     setPolynomialRow<kWidth>(row, s, width, sum);
+    for (int j = 0; acceleration != nullptr && j < w; ++j) {
+      acceleration[j] = 2.0 * row[2 * width + j] + 6.0 * row[3 * width + j] * s;
+    }
     row += 4 * width;
   } else {
     std::fill_n(sum, width, 0.0);
@@ -153,26 +180,12 @@ void Input::evaluateRows(const InputSegment& segment, Rows rows, double t, doubl
     const double sine = std::sin(omega * s);
     const double cosine = std::cos(omega * s);
     addRow<kWidth>(row, row + width, cosine, sine, width, sum);
+    for (int j = 0; acceleration != nullptr && j < w; ++j) {
+      acceleration[j] -= omega * omega * (row[j] * cosine + row[width + j] * sine);
+    }
     row += 2 * width;
   }
   if constexpr (kWidth > 0) std::copy(sums.begin(), sums.end(), u);
-}
-
-void Input::evaluateAccelerations(const InputSegment& segment, Rows rows, double t, double* acceleration) const {
-  const int width = 2 * channels_;
-  const double s = t - segment.begin;
-  const double* row = rows_.data() + rows.offset;
-  std::fill_n(acceleration, channels_, 0.0);
-  if (rows.polynomial) {
-    for (int j = 0; j < channels_; ++j) acceleration[j] = 2.0 * row[2 * width + j] + 6.0 * row[3 * width + j] * s;
-    row += 4 * width;
-  }
-  for (const double omega : segment.angular_frequency) {
-    const double sine = std::sin(omega * s);
-    const double cosine = std::cos(omega * s);
-    for (int j = 0; j < channels_; ++j) acceleration[j] -= omega * omega * (row[j] * cosine + row[width + j] * sine);
-    row += 2 * width;
-  }
 }
 
 void Input::evaluate(int segment, double t, std::span<double> u) const {
@@ -184,13 +197,35 @@ void Input::evaluate(int segment, double t, std::span<double> u) const {
   }
   const auto index = static_cast<std::size_t>(segment);
   const InputSegment& holds = segments_[index];
+  double* acceleration = u.size() == 3 * w ? u.data() + 2 * w : nullptr;
   switch (channels_) {  // one vehicle, and its bounce and pitch apart
-    case 4: evaluateRows<8>(holds, index_[index], t, u.data()); break;
-    case 2: evaluateRows<4>(holds, index_[index], t, u.data()); break;
-    case 1: evaluateRows<2>(holds, index_[index], t, u.data()); break;
-    default: evaluateRows<0>(holds, index_[index], t, u.data());
+    case 4:
+      evaluateRows<8>(holds, index_[index], t, u.data(), acceleration);
+      break;
+    case 2:
+      evaluateRows<4>(holds, index_[index], t, u.data(), acceleration);
+      break;
+    case 1:
+      evaluateRows<2>(holds, index_[index], t, u.data(), acceleration);
+      break;
+    default:
+      evaluateRows<0>(holds, index_[index], t, u.data(), acceleration);
   }
-  if (u.size() == 3 * w) evaluateAccelerations(segments_[index], index_[index], t, u.data() + 2 * w);
+  if (!holds.sampled.empty()) addSampled(holds, {&t, 1}, u.data(), static_cast<int>(u.size()));
+}
+
+// Adds the sampled terms to rows of `width` values, one an instant, at most kBlock of them.
+void Input::addSampled(const InputSegment& segment, std::span<const double> t, double* u, int width) const {
+  std::array<RailState, kBlock> states;
+  for (const SampledTerm& term : segment.sampled) {
+    term.motion->evaluate(t, std::span(states).first(t.size()));
+    double* value = u + term.channel;
+    for (std::size_t i = 0; i < t.size(); ++i, value += width) {
+      value[0] += term.weight * states[i].height;
+      value[channels_] += term.weight * states[i].rate;
+      if (width == 3 * channels_) value[2 * channels_] += term.weight * states[i].acceleration;
+    }
+  }
 }
 
 template <int kWidth>
@@ -216,6 +251,10 @@ void Input::sweepRows(const InputSegment& segment, Rows rows, double t0, double 
       sweepTwo<kWidth>(row, Oscillator(omega[f], s, dt), Oscillator(omega[f + 1], s, dt), n, width, block);
     }
     if (f < omega.size()) sweepOne<kWidth>(row, Oscillator(omega[f], s, dt), n, width, block);
+    if (segment.sampled.empty()) continue;
+    std::array<double, kBlock> times;
+    for (int i = 0; i < n; ++i) times[static_cast<std::size_t>(i)] = t0 + (first + done + i) * dt;
+    addSampled(segment, std::span<const double>(times).first(static_cast<std::size_t>(n)), block, width);
   }
 }
 

@@ -4,14 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "libvehicle/system/rail_motion.h"
+
 namespace vehicle {
 
-/// What the rail does under every wheelset (channel) between two breakpoints, in closed form. With s = t - begin:
+/// What the rail does under every wheelset (channel) between two breakpoints. With s = t - begin:
 ///
-///     eta_j(t) = sum_k polynomial(j,k) s^k + sum_f [ cosine(j,f) cos(w_f s) + sine(j,f) sin(w_f s) ]
+///     eta_j(t) = sum_k polynomial(j,k) s^k + sum_f [ cosine(j,f) cos(w_f s) + sine(j,f) sin(w_f s) ] + sampled terms
 ///
 /// Frequencies are shared by all channels: a delay is another mixture of the same cosine and sine, so one
-/// pair per frequency serves every wheel.
+/// pair per frequency serves every wheel. Only sampled terms have no closed form; methods that need one refuse them.
 struct InputSegment {
   static constexpr int kPolynomial = 4;  // constant .. cubic (a cubic Hermite hold of stored samples)
 
@@ -21,7 +23,15 @@ struct InputSegment {
   std::vector<double> cosine;             // [m] (channels x F), row-major
   std::vector<double> sine;               // [m] (channels x F), row-major
   std::vector<double> polynomial;         // [m, m/s, m/s^2, m/s^3] (channels x 4), row-major
+  std::vector<SampledTerm> sampled;       // added to what stands above, in this order
+
+  /// [rad/s] of the fastest sampled term; 0 without one.
+  [[nodiscard]] double fastestSampled() const;
 };
+
+/// @param who  asks for a closed form: "exact"   @param remedy  what to do without, "" where the caller says it
+/// @throws std::invalid_argument if the segment has sampled terms
+void requireClosedForm(const char* who, const char* remedy, const InputSegment& segment);
 
 /// What all channels of a sweep share: the clock and the sine and cosine of every frequency at its samples. Small even
 /// for a long train, whose rows of 2 w values a sample would not fit in a cache.
@@ -29,19 +39,20 @@ struct PhasorTable {
   int segment = 0;
   int count = 0;
   std::vector<double> time;    // [s] t - begin, shape (count)
+  std::vector<double> instant;  // [s] t, shape (count)
   std::vector<double> phasor;  // cos(w_f s), sin(w_f s), shape (count x 2 F), row-major
 };
 
 /// The input u(t) of a system over a whole run, cut at its breakpoints.
 ///
 /// u = (eta_1..eta_w, eta_1'..eta_w') [m, m/s]; where accelerations are asked for, eta_1''..eta_w'' [m/s^2]
-/// follow. Inside a segment eta is analytic. At a breakpoint eta is continuous and eta' or eta'' may jump: the two
+/// follow. Inside a segment eta is analytic, but for sampled terms. At a breakpoint eta is continuous and eta' or eta'' may jump: the two
 /// one-sided limits are the values of the two segments there, so callers name the segment and never compare
 /// times.
 class Input {
  public:
   /// @param segments  not empty, contiguous (end of one == begin of the next, bit for bit)
-  /// @throws std::invalid_argument naming the segment that breaks a rule (shape, order, gap, non-finite)
+  /// @throws std::invalid_argument naming the segment that breaks a rule (shape, order, gap, non-finite, unknown channel)
   Input(int channels, std::vector<InputSegment> segments);
 
   [[nodiscard]] int channels() const { return channels_; }
@@ -71,7 +82,7 @@ class Input {
   /// @param first, count  as for sweep()
   void prepare(int segment, double t0, double dt, int first, int count, PhasorTable& clock) const;
   /// Heights of the channels from .. to-1, then their rates, at one sample of the clock: the bits that sweep() gives,
-  /// however the channels are cut. Never allocates, never throws.
+  /// however the channels are cut. Never allocates and never throws without sampled terms.
   /// @param sample  0 <= sample < clock.count   @param u  (2 (to - from))
   void readRow(const PhasorTable& clock, int sample, int from, int to, double* u) const;
 
@@ -94,12 +105,13 @@ class Input {
     std::size_t offset = 0;   // in rows_
     bool polynomial = false;  // four rows E0..E3 come first: value = E0 + s (E1 + s (E2 + s E3))
   };
+  // @param acceleration  (w), or null where it is not wanted
   template <int kWidth>
-  void evaluateRows(const InputSegment& segment, Rows rows, double t, double* u) const;
-  void evaluateAccelerations(const InputSegment& segment, Rows rows, double t, double* acceleration) const;
+  void evaluateRows(const InputSegment& segment, Rows rows, double t, double* u, double* acceleration) const;
   template <int kWidth>
   void sweepRows(const InputSegment& segment, Rows rows, double t0, double dt, int first, int count, double* u) const;
   void packRows(const InputSegment& segment);
+  void addSampled(const InputSegment& segment, std::span<const double> t, double* u, int width) const;
   /// @throws std::invalid_argument unless a sweep may start and go on so
   static void requireSweep(int first, int count);
 

@@ -54,8 +54,12 @@ void Input::prepare(int segment, double t0, double dt, int first, int count, Pha
   clock.segment = segment;
   clock.count = count;
   clock.time.resize(static_cast<std::size_t>(count));
+  clock.instant.resize(static_cast<std::size_t>(count));
   clock.phasor.resize(static_cast<std::size_t>(count) * 2 * frequencies);
-  for (int i = 0; i < count; ++i) clock.time[static_cast<std::size_t>(i)] = (t0 + (first + i) * dt) - piece.begin;
+  for (int i = 0; i < count; ++i) {
+    clock.instant[static_cast<std::size_t>(i)] = t0 + (first + i) * dt;
+    clock.time[static_cast<std::size_t>(i)] = (t0 + (first + i) * dt) - piece.begin;
+  }
   for (std::size_t f = 0; f < frequencies; ++f) {
     for (int done = 0; done < count; done += kBlock) {
       const int end = std::min(done + kBlock, count);
@@ -87,6 +91,13 @@ void Input::readRow(const PhasorTable& clock, int sample, int from, int to, doub
     for (; f + 1 < frequencies; f += 2, row += 4 * width, circle += 4) addTwo(row, circle, width, count, values);
     if (f < frequencies) addOne(row, circle, width, count, values);
   }
+  for (const SampledTerm& term : segments_[index].sampled) {
+    if (term.channel < from || term.channel >= to) continue;
+    RailState state;
+    term.motion->evaluate({&clock.instant[static_cast<std::size_t>(sample)], 1}, {&state, 1});
+    u[term.channel - from] += term.weight * state.height;
+    u[count + term.channel - from] += term.weight * state.rate;
+  }
 }
 
 Input Input::inOrder(std::span<const int> order) const {
@@ -106,6 +117,10 @@ Input Input::inOrder(std::span<const int> order) const {
     to.begin = from.begin;
     to.end = from.end;
     to.angular_frequency = from.angular_frequency;
+    for (SampledTerm term : from.sampled) {
+      term.channel = static_cast<int>(std::find(order.begin(), order.end(), term.channel) - order.begin());
+      to.sampled.push_back(std::move(term));
+    }
     for (const int each : order) {
       copyChannel(from.cosine, static_cast<std::size_t>(each), w, to.cosine);
       copyChannel(from.sine, static_cast<std::size_t>(each), w, to.sine);

@@ -47,6 +47,12 @@ Input mixedInput(const Input& input, std::span<const double> weights) {
     mixed.cosine = mixedRows(from.cosine, weights, channels);
     mixed.sine = mixedRows(from.sine, weights, channels);
     mixed.polynomial = mixedRows(from.polynomial, weights, channels);
+    for (const SampledTerm& term : from.sampled) {
+      for (std::size_t row = 0; row < weights.size() / channels; ++row) {
+        const double weight = weights[row * channels + static_cast<std::size_t>(term.channel)];
+        if (weight != 0.0) mixed.sampled.push_back({static_cast<int>(row), weight * term.weight, term.motion});
+      }
+    }
     segments.push_back(std::move(mixed));
   }
   return Input(static_cast<int>(weights.size() / channels), std::move(segments));

@@ -22,7 +22,8 @@ double fastestPassing(const InputSegment& segment) {
   for (const double omega : segment.angular_frequency) {
     if (!lasts(segment, omega)) fastest = std::max(fastest, omega);
   }
-  return fastest;
+  const double sampled = segment.fastestSampled();
+  return lasts(segment, sampled) ? fastest : std::max(fastest, sampled);
 }
 
 [[noreturn]] void refuse(const std::ostringstream& message) { throw std::invalid_argument(message.str()); }
@@ -98,9 +99,12 @@ int Schedule::fitting(int wanted, int multiple_of) const {
 void Schedule::chooseCut(const Input& input) {
   double fastest = sampling_.fastest;
   for (int s = 0; s < input.segments(); ++s) {
-    for (const double omega : input.segment(s).angular_frequency) {
-      if (lasts(input.segment(s), omega)) fastest = std::max(fastest, omega);
+    const InputSegment& segment = input.segment(s);
+    for (const double omega : segment.angular_frequency) {
+      if (lasts(segment, omega)) fastest = std::max(fastest, omega);
     }
+    const double sampled = segment.fastestSampled();
+    if (lasts(segment, sampled)) fastest = std::max(fastest, sampled);
   }
   const double most = std::max(1.0, std::floor(kMostRunSamples * sampling_.output_step / (end_ - begin_)));
   const int wanted = cutOf(fastest);

@@ -11,11 +11,12 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/excitation/rail_profile.h"
 #include "libvehicle/system/schedule.h"
-#include "tests/excitation/tracks.h"
+#include "libvehicle/track/rail_profile.h"
+#include "tests/excitation/topologies.h"
 #include "tests/support/source_tree.h"
 #include "tests/support/tolerance.h"
+#include "tests/support/tracks.h"
 
 namespace vehicle {
 namespace {

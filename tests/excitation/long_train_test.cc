@@ -4,21 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/excitation/excitation.h"
-#include "tests/excitation/tracks.h"
+#include "tests/excitation/topologies.h"
+#include "tests/support/tracks.h"
 
 namespace vehicle {
 namespace {
 
-// That many wheelsets, 6.5 m from one to the next.
-Topology wheelsets(int count) {
-  Topology made;
-  for (int j = 0; j < count; ++j) {
-    TopologyWheelset wheelset;
-    wheelset.x = -6.5 * j;
-    made.wheelsets.push_back(wheelset);
-  }
-  return made;
-}
+using test::wheelsets;
 
 TEST(LongTrain, RunsOverAnExtendedRailInOnePiece) {
   const Input input = inputOf(test::paperScenario(History::kExtended), wheelsets(16384), 20.0);

@@ -10,8 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/diagnostics/problem.h"
-#include "tests/excitation/tracks.h"
+#include "tests/excitation/topologies.h"
 #include "tests/support/tolerance.h"
+#include "tests/support/tracks.h"
 
 // Speed, distance, rigs, and what is refused.
 namespace vehicle {

@@ -1,4 +1,4 @@
-#include "libvehicle/excitation/rail_profile.h"
+#include "libvehicle/track/rail_profile.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/excitation/tracks.h"
 #include "tests/support/tolerance.h"
+#include "tests/support/tracks.h"
 
 namespace vehicle {
 namespace {

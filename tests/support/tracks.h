@@ -3,10 +3,9 @@
 #include <random>
 
 #include "libvehicle/definition/scenario.h"
-#include "libvehicle/model/topology.h"
 #include "tests/support/vehicles.h"
 
-// Tracks for the tests of this room.
+// Tracks, and scenarios over them.
 namespace vehicle::test {
 
 inline Dip dip(DipShape shape, double depth, double length, double start) {
@@ -34,8 +33,6 @@ inline Ramp ramp(double rise, double length, double start) {
   made.start = start;
   return made;
 }
-
-inline Topology paperTopology() { return topologyOf(paperVehicle()); }
 
 /// A scenario of that track, `duration` seconds at 20 m/s, a sample every 5 ms.
 inline Scenario scenarioOf(const Track& track, double duration) {

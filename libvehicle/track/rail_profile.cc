@@ -1,4 +1,4 @@
-#include "libvehicle/excitation/rail_profile.h"
+#include "libvehicle/track/rail_profile.h"
 
 #include <cmath>
 #include <numbers>

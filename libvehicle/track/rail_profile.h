@@ -5,7 +5,10 @@
 namespace vehicle {
 
 /// Which one-sided limit is meant where a profile has a corner.
-enum class Side { kLeft, kRight };
+enum class Side {
+  kLeft,
+  kRight
+};
 
 /// Height of the rail [m], the mean of both rails, at distance s [m] from the leading wheelset's position at t = 0,
 /// straight from the definition: sum of harmonics (times the fade-in), dips, bumps and ramps; with `onset` 0 for s < 0.

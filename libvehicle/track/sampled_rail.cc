@@ -1,6 +1,7 @@
 #include "libvehicle/track/sampled_rail.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -12,8 +13,9 @@ namespace vehicle {
 
 struct SampledRail::Block {
   std::int64_t number = 0;
-  std::vector<double> height;  // [m] of its samples, the first of the next block included
-  std::vector<double> rise;    // [m] slope times spacing, of each
+  // Of its samples, the first of the next block included. In one piece: blocks come and go as long as a run lasts.
+  std::array<double, kBlock + 1> height;  // [m]
+  std::array<double, kBlock + 1> rise;    // [m] slope times spacing
 };
 
 namespace {
@@ -90,8 +92,8 @@ SampledRail::Held SampledRail::makeBlock(std::int64_t number) const {
   const std::vector<double> rises = splineRises(heights);
   auto block = std::make_shared<Block>();
   block->number = number;
-  block->height.assign(heights.begin() + (first - from), heights.begin() + (last - from + 1));
-  block->rise.assign(rises.begin() + (first - from), rises.begin() + (last - from + 1));
+  std::copy(heights.begin() + (first - from), heights.begin() + (last - from + 1), block->height.begin());
+  std::copy(rises.begin() + (first - from), rises.begin() + (last - from + 1), block->rise.begin());
   return block;
 }
 

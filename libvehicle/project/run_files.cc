@@ -19,14 +19,13 @@ RunRecord recordOf(const Model& model, const RunChoice& choice, const RunResult&
                        {"method", result.method},
                        {"speed", fmt::format("{} m/s", result.speed)},
                        {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
-  if (result.method == "rk4" || result.method == "rk4_split") {
-    record.attributes.emplace_back("step", fmt::format("{} s", result.step));
-  }
-  if (result.method == "dopri5") {
+  const SettingsRead& reads = methodNamed(result.method).reads;
+  if (reads.step) record.attributes.emplace_back("step", fmt::format("{} s", result.step));
+  if (reads.tolerances) {
     record.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
     record.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));
   }
-  if (result.method == "simbody_rkm") record.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
+  if (reads.accuracy) record.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
   record.attributes.emplace_back("scheme", result.scheme);
   record.attributes.emplace_back("threads", fmt::format("{}", result.threads));
   record.attributes.emplace_back("steps", fmt::format("{}", result.statistics.steps));

@@ -18,7 +18,7 @@ namespace vehicle {
 ///
 /// @tparam Stepper  Dopri5 over some right-hand side and size
 template <class Stepper>
-class AdaptiveSteps final : public DrivenByType<AdaptiveSteps<Stepper>> {
+class AdaptiveSteps final : public DrivenAsCopy<AdaptiveSteps<Stepper>> {
  public:
   /// @throws std::invalid_argument  for a wrong accuracy (checkAccuracy)
   AdaptiveSteps(Stepper stepper, const Input& input, Accuracy accuracy)

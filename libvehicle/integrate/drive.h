@@ -25,12 +25,23 @@ Statistics drive(Method& method, const Schedule& schedule, std::span<const doubl
 }
 
 /// Base of an integrator whose run() is compiled for its own type.
-/// @tparam Method  the class that derives from it
+/// @tparam Method    the class that derives from it
 template <class Method>
 class DrivenByType : public Integrator {
  public:
   Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) final {
     return drive(static_cast<Method&>(*this), schedule, x0, observe);
+  }
+};
+
+/// The same with a copy of its own for the run, which leaves this object as it was: of a local object nobody else can hold the address, so that the compiler
+/// keeps coefficients and stages of a small system in registers (a quarter of the time of a step of the flat form).
+template <class Method>
+class DrivenAsCopy : public Integrator {
+ public:
+  [[gnu::flatten]] Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) final {
+    Method own(static_cast<const Method&>(*this));
+    return drive(own, schedule, x0, observe);
   }
 };
 

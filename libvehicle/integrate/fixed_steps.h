@@ -32,7 +32,7 @@ class SweptInput {
 /// @tparam Stepper  kName, kEvaluations, size() and step(h, u_begin, u_middle, u_end, x) as Rk4 has them
 /// @tparam Feed     feed(const StepBlock&): its rows, valid until the next call
 template <class Stepper, class Feed = SweptInput>
-class FixedSteps final : public DrivenByType<FixedSteps<Stepper, Feed>> {
+class FixedSteps final : public DrivenAsCopy<FixedSteps<Stepper, Feed>> {
  public:
   /// @param width  values of a row
   FixedSteps(Stepper stepper, int width, Feed feed, FixedStep step)
@@ -57,10 +57,10 @@ class FixedSteps final : public DrivenByType<FixedSteps<Stepper, Feed>> {
       return true;
     };
     cursor_.advance(
-        interval, [&](const StepBlock& block) { rows_ = feed_(block); },
-        [&](double h, int k) {
-          const double* row = rows_ + 2 * k * width_;
-          stepper_.step(h, row, row + width_, row + 2 * width_, x_.data());
+        interval, [&](const StepBlock& block) { row_ = feed_(block); },
+        [this, x = x_.data(), width = width_](double h, int) {
+          stepper_.step(h, row_, row_ + width, row_ + 2 * width, x);
+          row_ += 2 * width;
         },
         check);
     check(cursor_.reached());
@@ -77,7 +77,7 @@ class FixedSteps final : public DrivenByType<FixedSteps<Stepper, Feed>> {
   int width_;
   StepCursor cursor_;
   std::vector<double> x_;
-  const double* rows_ = nullptr;  // of the block in hand
+  const double* row_ = nullptr;  // of the next step
 };
 
 }  // namespace vehicle

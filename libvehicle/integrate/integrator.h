@@ -32,8 +32,9 @@ class Integrator {
   /// What was done since it was made.
   [[nodiscard]] virtual Statistics statistics() const = 0;
 
-  /// A whole run: drive() of this object by its own type.
+  /// A whole run: drive() by its own type, of this object or of a copy.
   /// @param x0  (n) state at the schedule's first sample
+  /// @return  what it cost
   virtual Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) = 0;
 };
 

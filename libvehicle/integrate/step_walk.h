@@ -88,9 +88,10 @@ class StepCursor {
         block_end_ = std::min(done_ + block_, grid_.total());
         enter(StepBlock{grid_.segment, grid_.begin, grid_.h, first_, block_end_});
       }
+      const double h = grid_.h;
       const int begin = done_ - first_;
       const int end = std::min(block_end_ - first_, begin + left);
-      for (int k = begin; k < end; ++k) move(grid_.h, k);
+      for (int k = begin; k < end; ++k) move(h, k);
       done_ += end - begin;
       left -= end - begin;
       steps_ += end - begin;

@@ -48,7 +48,7 @@ class InnerOrder {
 /// Steps in the form's inner order, shows in the vehicle's.
 /// @tparam Steps  FixedSteps or AdaptiveSteps of a Stepper over FlatRhs
 template <class Steps, class Stepper>
-class FlatSteps final : public DrivenByType<FlatSteps<Steps, Stepper>> {
+class FlatSteps final : public Integrator {
  public:
   template <class Setting>
   FlatSteps(const FlatForm& form, const Input& input, Setting setting)
@@ -68,6 +68,12 @@ class FlatSteps final : public DrivenByType<FlatSteps<Steps, Stepper>> {
   }
   [[nodiscard]] std::span<const double> state() const override { return state_; }
   [[nodiscard]] Statistics statistics() const override { return steps_.statistics(); }
+  Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) override {
+    const std::array<double, kStates> inner = order_.inner(x0);
+    return steps_.run(schedule, inner, [&](int sample, int segment, double t, std::span<const double> x) {
+      return observe(sample, segment, t, order_.outer(x));
+    });
+  }
 
  private:
   InnerOrder order_;

@@ -51,7 +51,7 @@ Input mixed(const Input& input, const FlatSplit& split) {
 }
 
 /// Both halves in one loop, shown in the vehicle's order.
-class SplitSteps final : public DrivenByType<SplitSteps> {
+class SplitSteps final : public Integrator {
  public:
   SplitSteps(const RunProblem& problem, FixedStep step)
       : split_(splitOf(problem.system)),
@@ -74,12 +74,24 @@ class SplitSteps final : public DrivenByType<SplitSteps> {
   [[nodiscard]] std::span<const double> state() const override { return state_; }
   [[nodiscard]] Statistics statistics() const override {
     Statistics statistics = steps_.statistics();
-    statistics.evaluations *= 2;  // of two systems, as on two threads
+    statistics.evaluations *= kHalves;
     return statistics;
+  }
+  Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) override {
+    checkStart(kName, x0, kStates);
+    std::array<double, kStates> halves{};
+    split_.toHalves(x0, halves);
+    Statistics whole = steps_.run(schedule, halves, [&](int sample, int segment, double t, std::span<const double> x) {
+      split_.fromHalves(x, state_);
+      return observe(sample, segment, t, state_);
+    });
+    whole.evaluations *= kHalves;
+    return whole;
   }
 
  private:
-  static constexpr int kStates = 2 * FlatHalfRhs::kStates;
+  static constexpr int kHalves = 2;  // two systems, as on two threads
+  static constexpr int kStates = kHalves * FlatHalfRhs::kStates;
   FlatSplit split_;
   Input input_;
   FixedSteps<Rk4<BothHalvesRhs, kStates>> steps_;

@@ -77,8 +77,11 @@ Model modelOf(double duration) {
 
 constexpr double kOutputStep = 5e-3;  // [s]
 
-/// Looks at every sample and does nothing with it.
-constexpr auto kBlind = [](int, int, double, std::span<const double>) { return true; };
+/// A run whose samples are looked at and nothing is done with them.
+void blindRun(const std::string& method, const RunProblem& problem) {
+  const MethodSettings settings{{1e-3}, {}, 1e-10};
+  (void)methodNamed(method).make(problem, settings)->run(problem.schedule, problem.x0, [](auto&&...) { return true; });
+}
 
 void longRun(long samples) {
   const Model model = modelOf(static_cast<double>(samples) * kOutputStep);
@@ -92,7 +95,7 @@ void longRun(long samples) {
       const Input input = inputOf(model.scenario, model.vehicle.topology, 20.0);
       const Schedule schedule(input, kOutputStep);
       const std::vector<double> x0(static_cast<std::size_t>(system->size()), 0.0);
-      (void)runMethod(method, *system, input, schedule, {{1e-3}, {}, 1e-10}, x0, kBlind);
+      blindRun(method, {*system, input, schedule, x0});
     });
     print(method + ": steps alone", alone, count, alone.seconds);
     for (const std::string ending : {"", ".csv", ".h5"}) {
@@ -115,7 +118,7 @@ void sampledRail() {
     const Input input = inputOf(rail, model.vehicle.topology, Travel(20.0), {end, kOutputStep});
     const Schedule schedule(input, kOutputStep);
     const std::vector<double> x0(static_cast<std::size_t>(system->size()), 0.0);
-    (void)runMethod("rk4", *system, input, schedule, {{1e-3}, {}, 1e-10}, x0, kBlind);
+    blindRun("rk4", {*system, input, schedule, x0});
   };
   const auto sampled = [&](double end) {
     std::vector<double> heights(1'000'000);

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "benchmarks/measure.h"
-#include "libvehicle/integrate/adaptive_run.h"
+#include "libvehicle/integrate/adaptive_steps.h"
 #include "libvehicle/integrate/dopri5.h"
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/integrate/run.h"
 
@@ -34,13 +34,13 @@ State lastOf(Run run) {
 State solveRk4(const PaperCase& problem) {
   return lastOf([&](const Observer& observe) {
     Rk4<FlatRhs, kStates> stepper(*problem.form->rhs());
-    runFixedStep(stepper, problem.input, problem.whole, {kStep}, kRest, observe);
+    FixedSteps(stepper, problem.input, {kStep}).run(problem.whole, kRest, observe);
   });
 }
 
 State solveRk4Virtual(const PaperCase& problem) {
   return lastOf([&](const Observer& observe) {
-    runRk4(*problem.form, problem.input, problem.whole, {kStep}, kRest, observe);
+    runRk4({*problem.form, problem.input, problem.whole, kRest}, {kStep}, observe);
   });
 }
 
@@ -62,14 +62,14 @@ State solveRk4OneSincos(const PaperCase& problem) {
 
 State solveExact(const PaperCase& problem) {
   return lastOf([&](const Observer& observe) {
-    runExact(*problem.form, problem.input, problem.every_step, kRest, observe);
+    runExact({*problem.form, problem.input, problem.every_step, kRest}, observe);
   });
 }
 
 State solveDopri5(const PaperCase& problem) {
   return lastOf([&](const Observer& observe) {
     Dopri5<FlatRhs, kStates> stepper(*problem.form->rhs());
-    runAdaptive(stepper, problem.input, problem.whole, {.relative = 1e-9, .absolute = 1e-12}, kRest, observe);
+    AdaptiveSteps(stepper, problem.input, {.relative = 1e-9, .absolute = 1e-12}).run(problem.whole, kRest, observe);
   });
 }
 

@@ -37,7 +37,7 @@ const PaperCase& paperCase() {
     PaperCase made{buildFlatForm(compile(vehicle, scenario.gravity)), std::move(input), std::move(every_step),
                    std::move(whole)};
     const State rest{};
-    runExact(*made.form, made.input, made.every_step, rest, [&](int, int, double, std::span<const double> x) {
+    runExact({*made.form, made.input, made.every_step, rest}, [&](int, int, double, std::span<const double> x) {
       for (std::size_t i = 0; i < x.size(); ++i) made.peak[i] = std::max(made.peak[i], std::abs(x[i]));
       std::copy(x.begin(), x.end(), made.exact.begin());
       return true;

@@ -26,8 +26,9 @@
 #include "benchmarks/built_by.h"
 #include "benchmarks/train_case.h"
 #include "libvehicle/flat/flat_model.h"
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
+#include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/map/cut_order.h"
 #include "libvehicle/partition/run.h"
 #include "libvehicle/partition/schemes/blocked_rk4.h"
@@ -130,23 +131,23 @@ Design byType() {
             std::array<double, 8> start{}, shown{};
             for (std::size_t i = 0; i < 8; ++i) start[i] = problem.start[kInner[i]];
             Rk4<FlatRhs, 8> stepper{FlatRhs(paperParameters())};
-            runFixedStep(stepper, problem.input, problem.schedule, {.step = kStep}, start,
-                         [&](int sample, int segment, double t, std::span<const double> x) {
-                           for (std::size_t i = 0; i < 8; ++i) shown[kInner[i]] = x[i];
-                           return observe(sample, segment, t, shown);
-                         });
+            FixedSteps(stepper, problem.input, {.step = kStep})
+                .run(problem.schedule, start, [&](int sample, int segment, double t, std::span<const double> x) {
+                  for (std::size_t i = 0; i < 8; ++i) shown[kInner[i]] = x[i];
+                  return observe(sample, segment, t, shown);
+                });
           }};
 }
 
 Design blocked() {
   return {"serial blocked", 1, [](const Problem& problem, const Observer& observe) {
-            runBlockedRk4(problem.run(), {.step = kStep}, observe);
+            makeBlockedRk4(problem.run(), {.step = kStep})->run(problem.schedule, problem.start, observe);
           }};
 }
 
 Design exact() {
   return {"exact serial", 1, [](const Problem& problem, const Observer& observe) {
-            runExact(problem.system, problem.input, problem.schedule, problem.start, observe);
+            runExact({problem.system, problem.input, problem.schedule, problem.start}, observe);
           }};
 }
 

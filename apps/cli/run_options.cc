@@ -111,8 +111,9 @@ void refuseWithoutEffect(const std::string& option, const std::string& why, cons
 void requireSettingsUsed(const CLI::App& command, const std::vector<std::string>& methods, const std::string& why) {
   for (const Setting& each : kSettings) {
     if (!isGiven(command, each.option)) continue;
-    const bool is_read = std::any_of(methods.begin(), methods.end(),
-                                     [&](const std::string& method) { return settingsReadBy(method).*each.is_read; });
+    const bool is_read = std::any_of(methods.begin(), methods.end(), [&](const std::string& method) {
+      return methodNamed(method).reads.*each.is_read;
+    });
     if (!is_read) {
       refuseWithoutEffect(each.option, fmt::format("{}, and {}", why, each.rule),
                           fmt::format("omit it, or take --method {}", each.remedy));

@@ -112,11 +112,9 @@ Action addSimulate(CLI::App& program) {
       ->type_name("NAME")
       ->check(oneOf(formNames()));
   command
-      ->add_option("--method", options->choice.method,
-                   "rk4 (fixed step) | dopri5 (adaptive step) | exact (matrix exponential) | simbody_rkm (adaptive, by "
-                   "Simbody), or for a flat vehicle whose front and rear are alike "
-                   "rk4_split   "
-                   "(default: exact where it fits and there are 64 states or fewer, else dopri5)")
+      ->add_option(
+          "--method", options->choice.method,
+          methodSummaries() + "   (default: exact where it fits and there are 64 states or fewer, else dopri5)")
       ->type_name("NAME")
       ->check(oneOf(methodNames()));
   addSpeeds(

@@ -35,6 +35,12 @@ void ProblemList::addNew(const Problem& problem) {
   if (!contains(problem)) add(problem);
 }
 
+void ProblemList::addNew(const Place& place, std::string element, std::string message, std::string remedy) {
+  ProblemList one;
+  one.add(place, std::move(element), std::move(message), std::move(remedy));
+  addNew(one.problems_.front());
+}
+
 bool ProblemList::contains(const Problem& problem) const {
   return std::any_of(problems_.begin(), problems_.end(),
                      [text = problem.text()](const Problem& each) { return each.text() == text; });

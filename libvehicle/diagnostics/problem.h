@@ -35,6 +35,7 @@ class ProblemList {
   void append(const ProblemList& other);
   /// Unless it is among them already.
   void addNew(const Problem& problem);
+  void addNew(const Place& place, std::string element, std::string message, std::string remedy);
   [[nodiscard]] bool contains(const Problem& problem) const;
   /// Sorts by file and line, keeping the order of equals: checks run in passes, readers read from the top.
   void sortByPlace();

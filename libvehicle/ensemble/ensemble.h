@@ -7,7 +7,7 @@
 
 #include "libvehicle/ensemble/design.h"
 #include "libvehicle/ensemble/isa.h"
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/result/column_summary.h"
 #include "libvehicle/system/input.h"
 
@@ -16,7 +16,7 @@ namespace vehicle {
 /// What all designs of a run share.
 struct EnsembleRun {
   double output_step = 5e-3;        // [s] > 0
-  FixedStep step;                   // of RK4, ended on samples and breakpoints as runFixedStep() does
+  FixedStep step;                   // of RK4, ended on samples and breakpoints as FixedSteps does
   double fastest = 0.0;             // [rad/s] of the designs: how closely samples lie (Sampling)
   int steps = 0;                    // fixed steps of an output step that samples have to end; 0: any (Sampling)
   double settle = 0.0;              // [s] >= 0: the start that is left out, up to the next output sample
@@ -87,7 +87,7 @@ using StoredBlockSink = std::function<void(const StoredBlock&)>;
 
 /// RK4 of many designs, one a SIMD lane, with metrics gathered on the way: the integrals and extremes of ColumnSummaries.
 ///
-/// Every design follows the grid of runFixedStep() over a measured Schedule: steps end on samples and breakpoints. What is
+/// Every design follows the grid of FixedSteps over a measured Schedule: steps end on samples and breakpoints. What is
 /// stored are the points of its regular grid; on a breakpoint the right-hand limit. A design gives the same bits in whatever company, lane and order it is computed, on the
 /// same instruction set; differences between instruction sets and to the scalar run are roundings
 /// (docs/theory/ensemble.md). Single-threaded and re-entrant: callers share designs among threads.

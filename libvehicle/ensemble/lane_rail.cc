@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/step_walk.h"
 
 namespace vehicle::ensemble {
 namespace {
@@ -29,18 +29,19 @@ LanePlan::LanePlan(const Input& rail, const Schedule& schedule, FixedStep step)
     if (part.counts) measured += part.end - part.begin;
     for (std::size_t own = 0; own < part.count;) {
       const std::size_t index = part.first_interval + own;
-      const StepGrid grid = stepGridAt(schedule, index, step);
+      const Interval interval = schedule.intervals()[index];
+      const StepGrid grid = stepGridFrom(interval, step);
       Piece piece;
       piece.segment = part.segment;
-      piece.begin = schedule.intervals()[index].begin;
+      piece.begin = grid.begin;
       piece.h = grid.h;
       piece.steps = grid.steps;
-      piece.intervals = static_cast<int>(grid.count);
+      piece.intervals = grid.count;
       piece.part = i;
       piece.first = own;
-      piece.whole = part.finer == 1 && schedule.wholeFrom(index) > 0 && grid.steps == whole_steps &&
-                    endsOnPoint(piece, piece.intervals - 1);
-      own += grid.count;
+      piece.whole =
+          part.finer == 1 && interval.alike > 0 && grid.steps == whole_steps && endsOnPoint(piece, piece.intervals - 1);
+      own += static_cast<std::size_t>(grid.count);
       piece.ends_part = own == part.count;
       pieces.push_back(piece);
     }

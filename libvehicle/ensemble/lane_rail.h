@@ -7,12 +7,12 @@
 #include "libvehicle/ensemble/block_rows.h"
 #include "libvehicle/ensemble/kernel.h"
 #include "libvehicle/ensemble/part_looks.h"
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/system/schedule.h"
 
 namespace vehicle::ensemble {
 
-/// The grid of a run over one rail, as runFixedStep() walks it, in pieces of equal steps inside one part of the schedule.
+/// The grid of a run over one rail, as FixedSteps walks it, in pieces of equal steps inside one part of the schedule.
 struct LanePlan {
   struct Piece {
     int segment = 0;

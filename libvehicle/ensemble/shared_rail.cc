@@ -69,17 +69,15 @@ void SharedRail::endInterval(const Interval& interval) {
 // The next block of the grid, cut where intervals end.
 void SharedRail::addBlock() {
   if (done_ == 0) {
-    grid_begin_ = *interval_;
-    grid_ = stepGridAt(schedule_, interval_.index(), step_);
+    grid_ = stepGridFrom(*interval_, step_);
     left_ = grid_.steps;
   }
-  const int total = grid_.steps * static_cast<int>(grid_.count);
-  const int block_end = std::min(done_ + kStepsPerBlock, total);
-  const auto values = 2 * static_cast<std::size_t>(block_end - done_) + 1;
+  const int block_end = std::min(done_ + kStepsPerBlock, grid_.total());
+  const StepBlock block{grid_.segment, grid_.begin, grid_.h, done_, block_end};
+  const std::size_t values = static_cast<std::size_t>(block.rows()) * kRowWidth;
   const double* row = rows_.data() + rows_used_;
-  input_.sweep(grid_begin_.segment, grid_begin_.begin, 0.5 * grid_.h, 2 * done_, static_cast<int>(values),
-               {rows_.data() + rows_used_, values * kRowWidth});
-  rows_used_ += values * kRowWidth;
+  block.sweep(input_, {rows_.data() + rows_used_, values});
+  rows_used_ += values;
   while (done_ < block_end) {
     const int steps = std::min(left_, block_end - done_);
     SharedLeg leg;
@@ -95,7 +93,7 @@ void SharedRail::addBlock() {
     endInterval(*interval_);
     left_ = grid_.steps;
   }
-  if (done_ == total) done_ = 0;
+  if (done_ == grid_.total()) done_ = 0;
 }
 
 }  // namespace vehicle::ensemble

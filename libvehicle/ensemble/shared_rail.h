@@ -6,12 +6,12 @@
 
 #include "libvehicle/ensemble/kernel.h"
 #include "libvehicle/ensemble/part_looks.h"
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/step_walk.h"
 
 namespace vehicle::ensemble {
 
 /// The rail of a run that all designs share, in pieces of time small enough for a cache: rows of numbers and the
-/// legs that read them. The grid and the numbers are those of runFixedStep().
+/// legs that read them. The grid and the numbers are those of FixedSteps.
 class SharedRail {
  public:
   /// @param first_stored  number of the first point of the regular grid that is stored
@@ -35,7 +35,6 @@ class SharedRail {
 
   bool begun_ = false;
   Schedule::Iterator interval_;    // the one that is being run
-  Interval grid_begin_;            // the first of the grid
   std::optional<PartLooks> part_;  // the one of the interval
   int number_ = 0;                 // of the next sample
   StepGrid grid_;

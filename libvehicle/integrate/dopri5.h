@@ -4,13 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "libvehicle/integrate/run.h"
 #include "libvehicle/integrate/state_array.h"
 #include "libvehicle/integrate/tableau.h"
 
 namespace vehicle {
 
-/// One step of Dormand-Prince 5(4) with error estimate and dense output; who chooses the steps is adaptive_run.h.
+/// One step of Dormand-Prince 5(4) with error estimate and dense output; who chooses the steps is adaptive_steps.h.
 ///
 /// Six evaluations a step: the last stage is the first of the next one (begin() makes the very first and the first
 /// after a breakpoint, where f jumps). Owns its stage vectors: stepping never allocates.

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "libvehicle/integrate/rk4_stages.h"
 #include "libvehicle/integrate/state_array.h"
-#include "libvehicle/integrate/tableau.h"
 
 namespace vehicle {
 
@@ -32,29 +32,16 @@ class Rk4 {
   /// @param x  (n), updated in place
   void step(double h, const double* u_begin, const double* u_middle, const double* u_end, double* x) {
     rhs_(x, u_begin, slope_.data());
-    for (int i = 0; i < size(); ++i) {
-      sum_[i] = kRk4.b[0] * slope_[i];
-      stage_[i] = x[i] + h * kRk4.a[1][0] * slope_[i];
-    }
+    afterFirstStage(h, x, slope_.data(), sum_.data(), stage_.data(), size());
     rhs_(stage_.data(), u_middle, slope_.data());
-    toNextStage<1>(h, x);
+    afterMiddleStage<1>(h, x, slope_.data(), sum_.data(), stage_.data(), size());
     rhs_(stage_.data(), u_middle, slope_.data());
-    toNextStage<2>(h, x);
+    afterMiddleStage<2>(h, x, slope_.data(), sum_.data(), stage_.data(), size());
     rhs_(stage_.data(), u_end, slope_.data());
-    for (int i = 0; i < size(); ++i) x[i] += h * (sum_[i] + kRk4.b[3] * slope_[i]);
+    afterLastStage(h, slope_.data(), sum_.data(), x, size());
   }
 
  private:
-  // The tableau has entries just below the diagonal only, so a stage needs the slope before it and no other;
-  // the weighted sum is gathered on the way.
-  template <std::size_t kStage>
-  void toNextStage(double h, const double* x) {
-    for (int i = 0; i < size(); ++i) {
-      sum_[i] += kRk4.b[kStage] * slope_[i];
-      stage_[i] = x[i] + h * kRk4.a[kStage + 1][kStage] * slope_[i];
-    }
-  }
-
   Rhs rhs_;
   StateArray<N> slope_;
   StateArray<N> sum_;

@@ -1,8 +1,16 @@
 #pragma once
 
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/system/input.h"
 
 namespace vehicle {
+
+/// Tolerances of an adaptive method: local error <= absolute + relative |x|, per state, in the r.m.s. norm.
+struct Accuracy {
+  double relative = 1e-10;
+  double absolute = 1e-12;
+  double max_step =
+      0.0;  // [s]; 0: the interval between two breakpoints, or a quarter of the input's shortest period there
+};
 
 /// Step sizes of an adaptive method from its error norms (1 = just tolerable): a PI controller, which grows and
 /// shrinks the step without the see-saw of err^(-1/5) alone.

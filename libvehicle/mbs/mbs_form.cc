@@ -12,6 +12,7 @@
 #include "libvehicle/diagnostics/problem.h"
 #include "libvehicle/law/linear_spring_damper.h"
 #include "libvehicle/mbs/simbody_model.h"
+#include "libvehicle/mbs/simbody_steps.h"
 
 namespace vehicle {
 namespace {
@@ -109,12 +110,12 @@ class SimbodyForm : public MbsForm {
 
   void output(std::span<const double> x, std::span<const double> u, std::span<double> y) const override;
   std::optional<StateSpace> linear() const override;
-  Statistics runSimbody(const Input& input, const Schedule& schedule, double accuracy, std::span<const double> x0,
-                        const Observer& observe) const override;
+  std::unique_ptr<Integrator> bySimbody(const RunProblem& problem, double accuracy) const override {
+    return std::make_unique<SimbodySteps>(*simbody_, problem, accuracy);
+  }
 
  private:
   double wheelLoad(std::size_t wheelset, double rail_acceleration) const;
-  void requireNumbers(double t, std::span<const double> x) const;
 
   CompiledModel model_;
   MbsLaw law_;
@@ -190,65 +191,6 @@ std::optional<StateSpace> SimbodyForm::linear() const {
   for (Eigen::Index i = 0; i < n; ++i) column(x, i, made.A);
   for (Eigen::Index i = 0; i < 2 * w; ++i) column(u, i, made.B);
   return made;
-}
-
-void SimbodyForm::requireNumbers(double t, std::span<const double> x) const {
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (std::isfinite(x[i])) continue;
-    throw RunFailed(fmt::format("simbody_rkm: {} is {} at t = {} s", states()[i].name, x[i], t));
-  }
-}
-
-Statistics SimbodyForm::runSimbody(const Input& input, const Schedule& schedule, double accuracy,
-                                   std::span<const double> x0, const Observer& observe) const {
-  if (!(accuracy > 0.0 && accuracy < 1.0)) {
-    throw std::invalid_argument(fmt::format("simbody_rkm: accuracy = {}, must be > 0 and < 1", accuracy));
-  }
-  if (x0.size() != states().size()) {
-    throw std::invalid_argument(
-        fmt::format("simbody_rkm: the initial state has {} numbers, must be {}", x0.size(), states().size()));
-  }
-  if (input.channels() != channels()) {
-    throw std::invalid_argument(
-        fmt::format("simbody_rkm: the input has {} wheelsets, must be {}", input.channels(), channels()));
-  }
-  const Interval start = schedule.intervals().front();
-  int segment = start.segment;
-  double reached = start.begin;
-  const auto rail = [&input, &segment, size = 2 * at(channels())](double t, double* u) {
-    input.evaluate(segment, t, {u, size});
-  };
-  // Only what Simbody throws is told as a failure of the integrator; an observer's exceptions pass untouched.
-  const auto simbody = [&reached](const auto& call) {
-    try {
-      call();
-    } catch (const std::exception& failure) {
-      throw RunFailed(fmt::format("simbody_rkm: gave up after t = {} s: {}", reached, failure.what()));
-    }
-  };
-  std::vector<double> x(x0.begin(), x0.end());
-  requireNumbers(reached, x);
-  Statistics statistics;
-  simbody([&] { simbody_->startRun(accuracy, schedule.outputStep(), reached, x.data(), rail); });
-  statistics.stopped = !observe(0, segment, reached, x);
-  for (const Interval interval : schedule.intervals()) {
-    if (statistics.stopped) break;
-    if (interval.segment != segment) {
-      segment = interval.segment;
-      simbody_->passBreakpoint();
-    }
-    simbody([&] { simbody_->advanceTo(interval.end); });
-    reached = interval.end;
-    if (interval.sample < 0) continue;
-    simbody_->readState(x.data());
-    requireNumbers(reached, x);
-    statistics.stopped = !observe(interval.sample, interval.next, reached, x);
-  }
-  const SimbodyCost cost = simbody_->cost();
-  statistics.steps = cost.steps;
-  statistics.evaluations = cost.evaluations;
-  statistics.rejected = cost.rejected;
-  return statistics;
 }
 
 }  // namespace

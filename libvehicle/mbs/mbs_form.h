@@ -1,12 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <span>
 
+#include "libvehicle/integrate/integrator.h"
 #include "libvehicle/model/compiled_model.h"
-#include "libvehicle/system/input.h"
-#include "libvehicle/system/schedule.h"
-#include "libvehicle/system/system.h"
+#include "libvehicle/system/run_problem.h"
 
 namespace vehicle {
 
@@ -29,14 +27,13 @@ enum class MbsLaw {
 /// Simbody System must not be shared even with separate States. Set OPENBLAS_NUM_THREADS=1: its matrices are small.
 class MbsForm : public System {
  public:
-  /// Simbody's own Runge-Kutta-Merson over the schedule, a second, independent integrator. Steps end on samples and
-  /// breakpoints, and after a breakpoint start from the right-hand limit. The observer may call output() and derivative().
+  /// Simbody's own Runge-Kutta-Merson, a second, independent integrator (simbody_steps.h). An observer may call output()
+  /// and derivative() of this form.
+  /// @param problem   of this form
   /// @param accuracy  local error on the scale of 1 m, 1 rad, 1 m/s, 1 rad/s; choose it 100 to 300 times tighter than
   ///                  the error wanted (paper's vehicle over 10 s: 1e-12 gives 4e-10 of each state's peak)
-  /// @throws RunFailed on NaN or when the integrator gives up, with the time reached
-  /// @throws std::invalid_argument unless 0 < accuracy < 1 and x0 and input have the form's sizes
-  virtual Statistics runSimbody(const Input& input, const Schedule& schedule, double accuracy,
-                                std::span<const double> x0, const Observer& observe) const = 0;
+  /// @throws std::invalid_argument unless 0 < accuracy < 1 and the input has the form's size
+  [[nodiscard]] virtual std::unique_ptr<Integrator> bySimbody(const RunProblem& problem, double accuracy) const = 0;
 };
 
 [[nodiscard]] std::unique_ptr<MbsForm> buildMbsForm(const CompiledModel& model, MbsLaw law);

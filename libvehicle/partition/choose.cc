@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/partition/run.h"
 #include "libvehicle/partition/trial.h"
 
@@ -188,9 +188,9 @@ double secondsNow() {
 long stepsOfRun(const Schedule& schedule, FixedStep step) {
   long steps = 0;
   for (std::size_t first = 0; first < schedule.intervals().size();) {
-    const StepGrid grid = stepGridAt(schedule, first, step);
-    steps += static_cast<long>(grid.steps) * static_cast<long>(grid.count);
-    first += grid.count;
+    const StepGrid grid = stepGridFrom(schedule.intervals()[first], step);
+    steps += grid.total();
+    first += static_cast<std::size_t>(grid.count);
   }
   return steps;
 }

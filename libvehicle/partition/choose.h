@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/partition/scheme.h"
 #include "libvehicle/system/run_problem.h"
 #include "libvehicle/threads/team.h"

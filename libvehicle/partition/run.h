@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/partition/scheme.h"
 #include "libvehicle/partition/step_costs.h"
 #include "libvehicle/system/run_problem.h"
@@ -17,15 +17,15 @@ struct PartitionRun {
   std::vector<std::vector<int>> shares;  // (threads) equations in cut order; one share of all where they are not shared
 };
 
-/// One run on a team of threads: the bits of runRk4() for every number of threads and every map. State and channels are
+/// One run on a team of threads: the bits of makeRk4() for every number of threads and every map. State and channels are
 /// in the System's order; the observer is called on member 0, in order, while the caller waits.
 ///
 /// An observer that returns false, a state that is no longer finite, or an exception of the observer ends the run on
 /// all threads; exceptions reach the caller.
 /// @param sharing  no scheme: serial
 /// @throws std::invalid_argument  the system cannot be cut, the scheme does not fit it, or the threads, the map or the
-///                                team do not fit; and as runRk4()
-/// @throws std::runtime_error     as runRk4()
+///                                team do not fit; and as makeRk4()
+/// @throws std::runtime_error     as makeRk4()
 PartitionRun runPartitioned(const RunProblem& problem, FixedStep step, const Observer& observe, const Sharing& sharing,
                             const TeamPolicy& team = {});
 

@@ -6,6 +6,7 @@
 
 #include "libvehicle/project/speeds.h"
 #include "libvehicle/project/together.h"
+#include "libvehicle/simulate/methods.h"
 
 namespace vehicle {
 
@@ -19,15 +20,13 @@ RunDescription descriptionOf(const Model& model, const RunChoice& choice, const 
                             {"method", result.method},
                             {"speed", fmt::format("{} m/s", result.speed)},
                             {"gravity", fmt::format("{} m/s^2", model.scenario.gravity)}};
-  if (result.method == "rk4" || result.method == "rk4_split") {
-    description.attributes.emplace_back("step", fmt::format("{} s", result.step));
-  }
-  if (result.method == "dopri5") {
+  const SettingsRead& reads = methodNamed(result.method).reads;
+  if (reads.step) description.attributes.emplace_back("step", fmt::format("{} s", result.step));
+  if (reads.tolerances) {
     description.attributes.emplace_back("relative tolerance", fmt::format("{}", choice.relative));
     description.attributes.emplace_back("absolute tolerance", fmt::format("{}", choice.absolute));
   }
-  if (result.method == "simbody_rkm")
-    description.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
+  if (reads.accuracy) description.attributes.emplace_back("accuracy", fmt::format("{}", choice.accuracy));
   description.attributes.emplace_back("scheme", result.scheme);
   description.attributes.emplace_back("threads", fmt::format("{}", result.threads));
   description.attributes.emplace_back("steps", fmt::format("{}", result.statistics.steps));

@@ -68,8 +68,8 @@ void Settings::applyTo(Owner& owner) {
     if (given.setting.value.empty()) continue;
     const ParsedQuantity value = parseQuantity(given.setting.value, parameter->dimension);
     if (!value.si) {
-      given.problems.addNew(
-          {{given.shown, 0}, "", fmt::format("\"{}\" {}", given.setting.value, value.message), value.remedy});
+      given.problems.addNew({given.shown, 0}, "", fmt::format("\"{}\" {}", given.setting.value, value.message),
+                            value.remedy);
     } else if (given.problems.empty()) {
       parameter->setIn(changed, *value.si);
       taken.push_back(i);
@@ -109,15 +109,15 @@ void Settings::judge(const Owner& before, const Owner& after, const std::vector<
       if (!alone[k].contains(problem)) continue;
       is_of_one = true;
       Given& given = all_[taken[k]];
-      given.problems.addNew({{given.shown, 0}, problem.element, problem.message, problem.remedy});
+      given.problems.addNew({given.shown, 0}, problem.element, problem.message, problem.remedy);
     }
-    if (!is_of_one) of_several_.addNew({{shown, 0}, problem.element, problem.message, problem.remedy});
+    if (!is_of_one) of_several_.addNew({shown, 0}, problem.element, problem.message, problem.remedy);
   }
 }
 
 void Settings::refuse(std::string_view address, const std::string& message, const std::string& remedy) {
   for (Given& each : all_) {
-    if (each.setting.address == address) each.problems.addNew({{each.shown, 0}, "", message, remedy});
+    if (each.setting.address == address) each.problems.addNew({each.shown, 0}, "", message, remedy);
   }
 }
 
@@ -134,7 +134,7 @@ Problem Settings::unknown(const Given& given) const {
     return {{given.shown, 0},
             "",
             fmt::format("{} is of a scenario, and none is read here", address),
-            address == "scenario.gravity" ? "write --gravity instead" : "omit it"};
+            address == "scenario.gravity" ? "omit it; info and modes take --gravity" : "omit it"};
   }
   if (is_speed) return {{given.shown, 0}, "", "has no effect: no wheel rolls on a rig with a duration", "omit it"};
   Problem problem = unknownParameter(address, addresses_);

@@ -46,24 +46,31 @@ void check(std::span<double> x, const ReleaseClock& clock, RealtimeRows rows) {
     throw std::invalid_argument("realtime: steps = " + std::to_string(clock.steps) + ", must be >= 0");
   }
   checkStart("realtime", x, static_cast<int>(x.size()));
-  if (rows.input != nullptr && rows.input->width() % 3 != 0) {
-    throw std::invalid_argument("realtime: rows of the input mailbox have " + std::to_string(rows.input->width()) +
+  if (rows.input != nullptr && !rows.hold && rows.input->width() % 3 != 0) {
+    throw std::invalid_argument("realtime: rows of the input have " + std::to_string(rows.input->width()) +
                                 " values, must be three times the input: begin, middle and end of a step");
   }
   if (rows.output != nullptr && rows.output->width() != static_cast<int>(x.size())) {
-    throw std::invalid_argument("realtime: rows of the output mailbox have " + std::to_string(rows.output->width()) +
+    throw std::invalid_argument("realtime: rows of the output have " + std::to_string(rows.output->width()) +
                                 " values, must have " + std::to_string(x.size()) + ", one a state");
   }
+}
+
+void holdEnd(std::span<const double> newest, std::span<double> held) {
+  const std::size_t width = held.size() / 3;
+  for (std::size_t part = 0; part < 3; ++part) std::copy_n(newest.end() - width, width, held.begin() + part * width);
 }
 
 // The input of one step after the other.
 class InputRows {
  public:
-  InputRows(SpscRing* ring, RealtimeReport& report)
-      : ring_(ring),
+  InputRows(RealtimeRows rows, RealtimeReport& report)
+      : ring_(rows.input),
+        hold_(rows.hold ? rows.hold : holdEnd),
         report_(report),
-        held_(ring == nullptr ? 0 : static_cast<std::size_t>(ring->width()), 0.0),
-        width_(held_.size() / 3) {}
+        held_(ring_ == nullptr ? 0 : static_cast<std::size_t>(ring_->width()), 0.0) {
+    hold_(std::vector<double>(held_.size(), 0.0), held_);
+  }
 
   // The rows of that step, valid until the next call.
   const double* of(long step) {
@@ -91,13 +98,13 @@ class InputRows {
   void hold(long number, const double* row) {
     if (number < newest_) return;
     newest_ = number;
-    for (std::size_t part = 0; part < 3; ++part) std::copy_n(row + 2 * width_, width_, held_.data() + part * width_);
+    hold_({row, held_.size()}, held_);
   }
 
   SpscRing* ring_;
+  HoldRow hold_;
   RealtimeReport& report_;
-  std::vector<double> held_;  // three times the newest value
-  std::size_t width_;
+  std::vector<double> held_;  // what a step without a row of its own gets
   long newest_ = -1;
   bool given_ = false;  // the front row is in use
 };
@@ -131,7 +138,7 @@ class ReleasedRun {
  public:
   ReleasedRun(const RealtimeStep& step, std::span<double> x, ReleaseClock clock, const RealtimeChoice& choice,
               RealtimeRows rows)
-      : step_(step), x_(x), clock_(clock), choice_(choice), rows_(rows.input, report_), output_(rows.output) {}
+      : step_(step), x_(x), clock_(clock), choice_(choice), rows_(rows, report_), output_(rows.output) {}
 
   RealtimeReport run() {
     TeamReport team =

@@ -14,7 +14,9 @@
 #include <fmt/format.h>
 
 #include "libvehicle/excitation/excitation.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
+#include "libvehicle/integrate/run.h"
 #include "libvehicle/integrate/system_rhs.h"
 #include "libvehicle/linear/motion_rates.h"
 #include "libvehicle/matrix/matrix_form.h"
@@ -28,69 +30,102 @@ namespace {
 constexpr double kAhead = 50e-3;   // [s] by which the rail is played ahead of the clock, at most
 constexpr double kBetween = 2e-3;  // [s] from one look of the feeding thread to the next
 
-/// The rail at begin, middle and end of one step after the other: (3 x 2 w), one row after the other.
-class Rail {
+/// The steps of one period as a row of numbers: how many there are, and of each h and the input at its begin, middle and
+/// end. More than one where the rail has breakpoints inside the period: steps end on them.
+class PeriodRow {
  public:
-  Rail(const Input& input, double period)
-      : input_(input), period_(period), width_(2 * static_cast<std::size_t>(input.channels())), row_(3 * width_) {}
+  PeriodRow(int channels, int most_steps)
+      : instant_(2 * static_cast<std::size_t>(channels)), numbers_(1 + static_cast<std::size_t>(most_steps) * step()) {}
 
-  const std::vector<double>& of(long step) {
-    const double begin = input_.begin() + static_cast<double>(step) * period_;
-    const double end = input_.begin() + static_cast<double>(step + 1) * period_;
-    // The limits from inside the step: at its end the segment that holds before a breakpoint there.
-    forward(begin);
-    evaluate(0, begin);
-    forward(0.5 * (begin + end));
-    evaluate(1, 0.5 * (begin + end));
-    while (segment_ + 1 < input_.segments() && input_.segment(segment_).end < end) ++segment_;
-    evaluate(2, end);
-    return row_;
+  void clear() { numbers_[0] = 0.0; }
+  /// @param input  (3 x 2 w)
+  void add(double h, const double* input) {
+    double* to = numbers_.data() + 1 + static_cast<std::size_t>(numbers_[0]) * step();
+    *to = h;
+    std::copy_n(input, 3 * instant_, to + 1);
+    numbers_[0] += 1.0;
+  }
+  [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
+
+  /// @param move  move(double h, const double* input) for each step of a row
+  template <class Move>
+  void forSteps(const double* numbers, Move move) const {
+    const double* next = numbers + 1;
+    for (int left = static_cast<int>(numbers[0]); left > 0; --left, next += step()) move(next[0], next + 1);
+  }
+
+  /// One step of that length over an input that stays as it was at the end of `newest`.
+  void hold(double period, std::span<const double> newest, std::span<double> held) const {
+    std::vector<double> end(instant_, 0.0);
+    forSteps(newest.data(),
+             [&](double, const double* input) { std::copy_n(input + 2 * instant_, instant_, end.data()); });
+    held[0] = 1.0;
+    held[1] = period;
+    for (std::size_t part = 0; part < 3; ++part) std::copy(end.begin(), end.end(), held.begin() + 2 + part * instant_);
   }
 
  private:
-  void forward(double t) {
-    while (segment_ + 1 < input_.segments() && input_.segment(segment_).end <= t) ++segment_;
-  }
-  void evaluate(std::size_t which, double t) {
-    input_.evaluate(segment_, t, std::span(row_).subspan(which * width_, width_));
-  }
+  [[nodiscard]] std::size_t step() const { return 1 + 3 * instant_; }
 
-  const Input& input_;
-  double period_;
-  std::size_t width_;
-  std::vector<double> row_;
-  int segment_ = 0;
+  std::size_t instant_;  // values of the input at one instant
+  std::vector<double> numbers_;
 };
 
-/// One rk4 step of the whole form; what steps by the clock and what steps without one are two of these.
-class Stepper {
+/// The rail period by period, in the steps that rk4 makes of it without a clock.
+class Rail {
  public:
-  Stepper(const System& system, double period)
-      : rk4_(SystemRhs(system), system.size()),
-        period_(period),
-        width_(2 * static_cast<std::size_t>(system.channels())) {}
+  Rail(const Input& input, double period, const Schedule& schedule)
+      : next_(schedule.intervals().begin()),
+        width_(2 * input.channels()),
+        cursor_({period}),
+        feed_(input),
+        row_(input.channels(), mostIntervals(schedule)) {}
 
-  void operator()(const double* u, double* x) { rk4_.step(period_, u, u + width_, u + 2 * width_, x); }
+  const std::vector<double>& nextPeriod() {
+    row_.clear();
+    for (bool ended = false; !ended; ++next_) {
+      const Interval interval = *next_;
+      cursor_.advance(
+          interval, [&](const StepBlock& block) { rows_ = feed_(block); },
+          [&](double h, int k) { row_.add(h, rows_ + 2 * k * width_); }, [](double) { return true; });
+      ended = interval.sample >= 0;
+    }
+    return row_.numbers();
+  }
+  [[nodiscard]] const PeriodRow& row() const { return row_; }
 
  private:
-  Rk4<SystemRhs> rk4_;
-  double period_;
-  std::size_t width_;
+  static int mostIntervals(const Schedule& schedule) {
+    int most = 0;
+    int count = 0;
+    for (const Interval interval : schedule.intervals()) {
+      most = std::max(most, ++count);
+      if (interval.sample >= 0) count = 0;
+    }
+    return most;
+  }
+
+  Schedule::Iterator next_;
+  int width_;
+  StepCursor cursor_;
+  SweptInput feed_;
+  const double* rows_ = nullptr;
+  PeriodRow row_;
 };
 
 /// The side of the caller: puts rows in as long as there is room, takes states out as long as there are some.
 class Feeder {
  public:
-  Feeder(const Input& input, double period, long steps, SpscRing& rail_box, SpscRing& state_box)
-      : rail_(input, period), steps_(steps), rail_box_(rail_box), state_box_(state_box) {}
+  Feeder(Rail& rail, long steps, SpscRing& rail_box, SpscRing& state_box)
+      : rail_(rail), steps_(steps), rail_box_(rail_box), state_box_(state_box) {}
 
   void turn() {
     for (; put_ < steps_; ++put_) {
       if (made_ <= put_) {
-        row_ = rail_.of(put_);
+        row_ = &rail_.nextPeriod();
         made_ = put_ + 1;
       }
-      if (!rail_box_.put(put_, row_)) break;
+      if (!rail_box_.put(put_, *row_)) break;
     }
     for (long number = 0; state_box_.front(number) != nullptr; state_box_.pop()) {
       ++read_;
@@ -101,11 +136,11 @@ class Feeder {
   [[nodiscard]] long reached() const { return reached_; }
 
  private:
-  Rail rail_;
+  Rail& rail_;
   long steps_;
   SpscRing& rail_box_;
   SpscRing& state_box_;
-  std::vector<double> row_{};
+  const std::vector<double>* row_ = nullptr;
   long made_ = 0;
   long put_ = 0;
   long read_ = 0;
@@ -116,10 +151,9 @@ long stepsIn(const Input& input, double period) {
   const double duration = input.end() - input.begin();
   // A billionth of a step too little is a whole one, as in the schedule of samples.
   const double steps = std::floor(duration / period + 1e-9);
-  if (!(steps >= 1.0 && steps < static_cast<double>(std::numeric_limits<int>::max()))) {
-    throw std::invalid_argument(
-        fmt::format("realtime: period = {:.6g} s gives {:.3g} steps in {:.6g} s, must be at least 1 and below 2e9",
-                    period, steps, duration));
+  if (!(steps >= 1.0 && steps <= kMostSamples)) {
+    throw std::invalid_argument(fmt::format("realtime: period = {:.6g} s gives {:.3g} steps in {:.6g} s, must be 1..{}",
+                                            period, steps, duration, kMostSamples));
   }
   return static_cast<long>(steps);
 }
@@ -145,17 +179,23 @@ RealtimeRun simulateRealtime(const CompiledModel& model, const Scenario& scenari
   const std::vector<double> x0 = initialState(*system, model, scenario, input);
 
   const int rows = static_cast<int>(std::clamp(kAhead / period, 64.0, 65536.0));
-  SpscRing rail_box(6 * system->channels(), rows);
+  const Schedule schedule(input, period);
+  Rail rail(input, period, schedule);
+  SpscRing rail_box(static_cast<int>(rail.row().numbers().size()), rows);
   SpscRing state_box(system->size(), rows);
-  Feeder feeder(input, period, run.steps, rail_box, state_box);
+  Feeder feeder(rail, run.steps, rail_box, state_box);
   feeder.turn();
   std::atomic<bool> stop{false};
   const RealtimeChoice by_the_clock{.priority = choice.team.priority, .pinning = choice.team.pinning, .stop = &stop};
   std::vector<double> x = x0;
-  Stepper stepper(*system, period);
+  Rk4<SystemRhs> rk4(SystemRhs(*system), system->size());
+  const PeriodRow& row = rail.row();
+  const RealtimeStep step = [&, width = 2 * system->channels()](const double* numbers, double* state) {
+    row.forSteps(numbers, [&](double h, const double* u) { rk4.step(h, u, u + width, u + 2 * width, state); });
+  };
+  const HoldRow hold = [&](std::span<const double> newest, std::span<double> held) { row.hold(period, newest, held); };
   std::future<RealtimeReport> running = std::async(std::launch::async, [&] {
-    return runRealtime(std::ref(stepper), x, {.period = period, .steps = run.steps}, by_the_clock,
-                       {&rail_box, &state_box});
+    return runRealtime(step, x, {.period = period, .steps = run.steps}, by_the_clock, {&rail_box, &state_box, hold});
   });
   const std::chrono::duration<double> between(kBetween);
   while (running.wait_for(between) != std::future_status::ready) {
@@ -170,9 +210,12 @@ RealtimeRun simulateRealtime(const CompiledModel& model, const Scenario& scenari
   feeder.turn();
   run.states_read = feeder.read();
 
-  Rail rail(input, period);
   std::vector<double> alone = x0;
-  for (long i = 0; i < run.report.steps; ++i) stepper(rail.of(i).data(), alone.data());
+  makeRk4({*system, input, schedule, x0}, {period})
+      ->run(schedule, x0, [&](int sample, int, double, std::span<const double> state) {
+        if (sample <= run.report.steps) alone.assign(state.begin(), state.end());
+        return sample < run.report.steps;
+      });
   run.same_bits = alone == x;
   run.state = std::move(x);
   return run;

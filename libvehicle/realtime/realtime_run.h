@@ -16,16 +16,16 @@ struct RealtimeRun {
   std::string form;
   double speed = 0.0;         // [m/s]
   long steps = 0;             // asked for: the scenario's duration in whole periods
-  long states_read = 0;       // taken from the output mailbox by the feeding thread
+  long states_read = 0;       // taken from the ring of states by the feeding thread
   std::vector<double> state;  // after the last step, in the form's order
   Warnings warnings;          // UNSTABLE_STEP, COARSE_STEP of the period
-  bool same_bits = false;     // the last state is, bit for bit, that of the same steps made without a clock
+  bool same_bits = false;     // the last state is, bit for bit, that of runRk4() with that step
 };
 
-/// A scenario as a partner in a rig sees it: one rk4 step of length `period` is released every `period` of true time,
-/// on a thread of its own; the calling thread plays the rail into a mailbox, ahead by up to 50 ms, and reads the states
-/// from another. A breakpoint of the rail inside a step is met by the three values of the input at its begin, middle and
-/// end, as a rig would.
+/// A scenario as a partner in a rig sees it: one period of rk4 is released every `period` of true time, on a thread of
+/// its own; the calling thread plays the rail into a ring, ahead by up to 50 ms, and reads the states from another.
+/// The steps are those of a run without a clock by rk4 with that step: a period with breakpoints of the rail inside is
+/// several steps, which end on them.
 /// @param choice    form and speed are read; priority and pinning of its team, too
 /// @param period    [s] 1e-6 .. 3600
 /// @param progress  asked a few hundred times a second; false ends the run after the step that is under way

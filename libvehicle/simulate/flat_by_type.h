@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "libvehicle/flat/flat_form.h"
 #include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/schemes/pipeline.h"
@@ -12,16 +14,16 @@ namespace vehicle {
 // the printed variants.
 
 /// The problem's system where it is the flat form, else nullptr.
-[[nodiscard]] const FlatForm* flatFormOf(const RunProblem& problem);
+[[nodiscard]] const FlatForm* flatFormOf(const System& system);
 
-/// runRk4() by type.
-Statistics runFlatRk4(const RunProblem& problem, FixedStep step, const Observer& observe);
+/// makeRk4() by type; of other systems that can be cut and are longer than one vehicle, makeBlockedRk4().
+[[nodiscard]] std::unique_ptr<Integrator> makeFlatRk4(const RunProblem& problem, FixedStep step);
+
+/// makeDopri5() by type.
+[[nodiscard]] std::unique_ptr<Integrator> makeFlatDopri5(const RunProblem& problem, Accuracy accuracy);
 
 /// runPipeline() by type.
 PipelineRun runFlatPipeline(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
                             const TeamPolicy& team);
-
-/// runDopri5() by type.
-Statistics runFlatDopri5(const RunProblem& problem, Accuracy accuracy, const Observer& observe);
 
 }  // namespace vehicle

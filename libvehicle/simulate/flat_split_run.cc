@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "libvehicle/flat/flat_split.h"
+#include "libvehicle/flat/flat_train.h"
 #include "libvehicle/integrate/failure.h"
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/partition/schemes/pipeline.h"
 #include "libvehicle/simulate/flat_by_type.h"
@@ -33,78 +37,113 @@ class BothHalvesRhs {
   FlatHalfRhs pitch_;
 };
 
-/// The start in halves, the way back for the observer, the input of each half.
-class SplitRun {
+constexpr const char* kName = "rk4_split";
+
+FlatSplit splitOf(const System& system) {
+  if (const std::string why = splitUnsupportedBy(system); !why.empty()) throw std::invalid_argument(why);
+  return FlatSplit(*flatFormOf(system));
+}
+
+/// @return two channels: bounce, pitch
+Input mixed(const Input& input, const FlatSplit& split) {
+  checkChannels(kName, 4, input.channels());
+  return mixedInput(input, split.mixing());
+}
+
+/// Both halves in one loop, shown in the vehicle's order.
+class SplitSteps final : public Integrator {
  public:
-  SplitRun(const char* method, const RunProblem& problem, const Observer& observe)
-      : split_(*flatFormOf(problem)),
-        schedule_(problem.schedule),
-        observe_(observe),
-        both_(mixed(method, problem.input, split_.mixing())) {
-    checkStart(method, problem.x0, problem.system.size());
-    split_.toHalves(problem.x0, start_);
-  }
+  SplitSteps(const RunProblem& problem, FixedStep step)
+      : split_(splitOf(problem.system)),
+        input_(mixed(problem.input, split_)),
+        steps_(Rk4<BothHalvesRhs, kStates>(BothHalvesRhs(split_)), input_, step) {}
+  SplitSteps(const SplitSteps&) = delete;  // steps_ looks at input_
+  SplitSteps& operator=(const SplitSteps&) = delete;
 
-  [[nodiscard]] const FlatSplit& split() const { return split_; }
-  [[nodiscard]] const Input& bothInputs() const { return both_; }  // two channels: bounce, pitch
-  [[nodiscard]] std::span<const double> start() const { return start_; }
-  [[nodiscard]] Observer observer() {
-    return [this](int sample, int segment, double t, std::span<const double> halves) {
-      split_.fromHalves(halves, shown_);
-      return observe_(sample, segment, t, shown_);
-    };
+  void restart(const Interval& at, std::span<const double> x) override {
+    checkStart(kName, x, kStates);
+    std::array<double, kStates> halves{};
+    split_.toHalves(x, halves);
+    steps_.restart(at, halves);
+    split_.fromHalves(steps_.state(), state_);
   }
-
-  /// @param run  callable as run(half, problem of the half, observer, member)
-  template <class Run>
-  PartsRun runApart(int threads, const TeamPolicy& team, Run run) {
-    const std::array<Input, 2> inputs = {mixedInput(both_, std::array{1.0, 0.0}),
-                                         mixedInput(both_, std::array{0.0, 1.0})};
-    const auto part = [&](const FlatHalf& half, std::size_t number) {
-      return IndependentPart{FlatHalfRhs::kStates, [&, number](const Observer& show, Member* me) {
-                               const RunProblem own{half, inputs[number], schedule_, start().subspan(4 * number, 4)};
-                               return run(half, own, show, me);
-                             }};
-    };
-    return runIndependentParts({part(split_.bounce(), 0), part(split_.pitch(), 1)}, schedule_.samples(), observer(),
-                               threads, team);
+  void advance(const Interval& interval) override {
+    steps_.advance(interval);
+    split_.fromHalves(steps_.state(), state_);
+  }
+  [[nodiscard]] std::span<const double> state() const override { return state_; }
+  [[nodiscard]] Statistics statistics() const override {
+    Statistics statistics = steps_.statistics();
+    statistics.evaluations *= kHalves;
+    return statistics;
+  }
+  Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) override {
+    checkStart(kName, x0, kStates);
+    std::array<double, kStates> halves{};
+    split_.toHalves(x0, halves);
+    Statistics whole = steps_.run(schedule, halves, [&](int sample, int segment, double t, std::span<const double> x) {
+      split_.fromHalves(x, state_);
+      return observe(sample, segment, t, state_);
+    });
+    whole.evaluations *= kHalves;
+    return whole;
   }
 
  private:
-  static Input mixed(const char* method, const Input& input, const std::array<double, 8>& mixing) {
-    checkChannels(method, 4, input.channels());
-    return mixedInput(input, mixing);
-  }
-
+  static constexpr int kHalves = 2;  // two systems, as on two threads
+  static constexpr int kStates = kHalves * FlatHalfRhs::kStates;
   FlatSplit split_;
-  const Schedule& schedule_;
-  const Observer& observe_;
-  Input both_;
-  std::array<double, 8> start_{};  // bounce, pitch
-  std::array<double, 8> shown_{};  // in the vehicle's order
+  Input input_;
+  FixedSteps<Rk4<BothHalvesRhs, kStates>> steps_;
+  std::array<double, kStates> state_{};
 };
 
 }  // namespace
 
+std::string splitUnsupportedBy(const System& system) {
+  if (dynamic_cast<const FlatTrain*>(&system) != nullptr) {
+    return "rk4_split: couplings join the bounce and pitch of a train's vehicles; take rk4";
+  }
+  const FlatForm* flat = flatFormOf(system);
+  if (flat == nullptr) return "rk4_split: the form is not the flat one";
+  const std::string unsupported = splitUnsupported(*flat);
+  return unsupported.empty() ? unsupported : fmt::format("rk4_split: {}; take rk4", unsupported);
+}
+
+std::unique_ptr<Integrator> makeFlatRk4Split(const RunProblem& problem, FixedStep step) {
+  return std::make_unique<SplitSteps>(problem, step);
+}
+
 PartsRun runFlatRk4Split(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
                          const TeamPolicy& team) {
-  SplitRun run("rk4_split", problem, observe);
   if (threads == 1) {
-    Rk4<BothHalvesRhs, 8> stepper(BothHalvesRhs(run.split()));
-    PartsRun alone;
-    alone.statistics = runFixedStep(stepper, run.bothInputs(), problem.schedule, step, run.start(), run.observer());
-    alone.statistics.evaluations *= 2;  // of two systems, as on two threads
-    return alone;
+    return {.statistics = makeFlatRk4Split(problem, step)->run(problem.schedule, problem.x0, observe), .team = {}};
   }
-  return run.runApart(threads, team,
-                      [&](const FlatHalf& half, const RunProblem& own, const Observer& show, Member* me) {
-                        Rk4<FlatHalfRhs, FlatHalfRhs::kStates> stepper(half.rhs());
-                        if (me == nullptr || team.tracer == nullptr) {
-                          return runFixedStep(stepper, own.input, own.schedule, step, own.x0, show);
-                        }
-                        TracedStepper<Rk4<FlatHalfRhs, FlatHalfRhs::kStates>> traced{stepper, *me};
-                        return runFixedStep(traced, own.input, own.schedule, step, own.x0, show);
-                      });
+  const FlatSplit split = splitOf(problem.system);
+  const Input both = mixed(problem.input, split);
+  const std::array<Input, 2> inputs = {mixedInput(both, std::array{1.0, 0.0}), mixedInput(both, std::array{0.0, 1.0})};
+  checkStart(kName, problem.x0, problem.system.size());
+  std::array<double, 8> start{};  // bounce, pitch
+  split.toHalves(problem.x0, start);
+  std::array<double, 8> shown{};  // in the vehicle's order
+  const Observer showWhole = [&](int sample, int segment, double t, std::span<const double> halves) {
+    split.fromHalves(halves, shown);
+    return observe(sample, segment, t, shown);
+  };
+  const auto part = [&](const FlatHalf& half, std::size_t number) {
+    return IndependentPart{FlatHalfRhs::kStates, [&, number](const Observer& show, Member* me) {
+                             const auto run = [&](const auto& stepper) {
+                               FixedSteps steps(stepper, inputs[number], step);
+                               return steps.run(problem.schedule, std::span(start).subspan(4 * number, 4), show);
+                             };
+                             using Stepper = Rk4<FlatHalfRhs, FlatHalfRhs::kStates>;
+                             const Stepper stepper(half.rhs());
+                             if (me == nullptr || team.tracer == nullptr) return run(stepper);
+                             return run(TracedStepper<Stepper>{stepper, *me});
+                           }};
+  };
+  return runIndependentParts({part(split.bounce(), 0), part(split.pitch(), 1)}, problem.schedule.samples(), showWhole,
+                             threads, team);
 }
 
 }  // namespace vehicle

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/step_walk.h"
 
 namespace vehicle {
 

@@ -6,7 +6,7 @@
 
 #include "libvehicle/definition/scenario.h"
 #include "libvehicle/diagnostics/warning.h"
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/linear/motion_rates.h"
 #include "libvehicle/system/schedule.h"
 

@@ -11,7 +11,6 @@
 #include "libvehicle/partition/run.h"
 #include "libvehicle/simulate/flat_by_type.h"
 #include "libvehicle/simulate/flat_split_run.h"
-#include "libvehicle/simulate/thread_choice.h"
 #include "libvehicle/threads/placement.h"
 
 namespace vehicle {
@@ -62,7 +61,7 @@ std::vector<ThreadWork> workOf(const System& system, const Sharing& sharing,
 /// One run as all ways see it.
 class SharedRuns {
  public:
-  SharedRuns(const std::string& method, const RunProblem& problem, const MethodSettings& settings,
+  SharedRuns(const Method& method, const RunProblem& problem, const MethodSettings& settings,
              const ThreadRequest& request)
       : method_(method), problem_(problem), settings_(settings), request_(request) {}
 
@@ -81,18 +80,10 @@ class SharedRuns {
     };
     switch (scheme) {
       case Scheme::kSerial:
-        return {runMethod(method_, problem.system, problem.input, problem.schedule, settings_, problem.x0, observe),
-                scheme,
-                1,
-                {},
-                {},
-                {}};
+        return {.statistics = method_.make(problem, settings_)->run(problem.schedule, problem.x0, observe)};
       case Scheme::kPipeline:
         return made(runFlatPipeline(problem, settings_.step, observe, threads, team).run);
       case Scheme::kSplit:
-        if (const std::string why = splitMethodUnsupported(method_, problem.system); !why.empty()) {
-          throw std::invalid_argument(why);
-        }
         return made(runFlatRk4Split(problem, settings_.step, observe, threads, team));
       case Scheme::kStages:
       case Scheme::kHalo:
@@ -108,7 +99,7 @@ class SharedRuns {
   /// Schemes that share the work of this method on this system, the likeliest first.
   [[nodiscard]] std::vector<Scheme> schemes(int threads) const {
     std::vector<Scheme> fit;
-    for (const Scheme scheme : schemesOf(method_)) {
+    for (const Scheme scheme : method_.schemes) {
       if (scheme == Scheme::kSerial || !fits(scheme, threads)) continue;
       if (request_.sharing.map != EquationMap::kAuto && !sharesEquations(scheme))
         continue;  // who names a map wants it used
@@ -143,7 +134,7 @@ class SharedRuns {
     const EquationSet* set = problem_.system.equations();
     if (set == nullptr || set->equations().size() < 2) {
       throw std::invalid_argument(
-          fmt::format("{} of this form has no more than one equation to share; take --threads 1", method_));
+          fmt::format("{} of this form has no more than one equation to share; take --threads 1", method_.name));
     }
     if (request_.sharing.map != EquationMap::kAuto)
       (void)shareEquations(*set, request_.sharing.map, request_.sharing.threads);
@@ -171,7 +162,9 @@ class SharedRuns {
     }
     std::vector<int> counts = {asked.threads};
     if (asked.threads == 0) counts = threadCounts(allowedCoreCount());
-    if (asked.threads == 0 && isSplitMethod(method_)) std::erase_if(counts, [](int threads) { return threads > 2; });
+    if (const int most = method_.most_threads; asked.threads == 0 && most > 0) {
+      std::erase_if(counts, [most](int threads) { return threads > most; });
+    }
     for (const int threads : counts) {
       if (threads == 1 || serial) continue;
       if (!asked.scheme) {
@@ -188,7 +181,7 @@ class SharedRuns {
  private:
   static constexpr int kManyEquations = 16;
 
-  const std::string& method_;
+  const Method& method_;
   const RunProblem& problem_;
   const MethodSettings& settings_;
   const ThreadRequest& request_;
@@ -196,7 +189,7 @@ class SharedRuns {
 
 }  // namespace
 
-SharedRun runShared(const std::string& method, const RunProblem& problem, const MethodSettings& settings,
+SharedRun runShared(const Method& method, const RunProblem& problem, const MethodSettings& settings,
                     const Observer& observe, const ThreadRequest& request) {
   const SharedRuns runs(method, problem, settings, request);
   const std::vector<Way> ways = runs.ways();

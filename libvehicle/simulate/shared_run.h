@@ -28,15 +28,15 @@ struct SharedRun {
   Statistics statistics;
   Scheme scheme = Scheme::kSerial;
   int threads = 1;
-  TeamReport team;    // no members where the caller's own thread did it
-  std::vector<ThreadWork> work;  // (members)
-  Decision decision;  // its reason is empty where nothing was to be chosen
+  TeamReport team{};               // no members where the caller's own thread did it
+  std::vector<ThreadWork> work{};  // (members)
+  Decision decision{};             // its reason is empty where nothing was to be chosen
 };
 
-/// runMethod() on as many threads as asked for, or as many as are fastest: the same bits, sooner.
+/// A run of that method on as many threads as asked for, or as many as are fastest: the same bits, sooner.
 /// @throws std::invalid_argument  for a vehicle that cannot be shared so (fewer equations than threads, front and rear
-///                                that differ for the split methods), and as runMethod()
-[[nodiscard]] SharedRun runShared(const std::string& method, const RunProblem& problem, const MethodSettings& settings,
+///                                that differ for the split methods), and as method.make()
+[[nodiscard]] SharedRun runShared(const Method& method, const RunProblem& problem, const MethodSettings& settings,
                                   const Observer& observe, const ThreadRequest& request);
 
 }  // namespace vehicle

@@ -20,26 +20,17 @@ std::string whyNotShared(const std::string& form, const std::string& method) {
     return fmt::format("the form {} runs on one thread: Simbody computes all of its equations together; {}", form,
                        kRemedy);
   }
-  if (method == "dopri5") {
-    return fmt::format(
-        "the method dopri5 runs on one thread: it chooses each step from the whole state; {}, or "
-        "method rk4",
-        kRemedy);
-  }
-  if (method == "exact") {
-    return fmt::format(
-        "the method exact runs on one thread: every thread would have to find the same matrices; {}, or method rk4",
-        kRemedy);
-  }
-  return {};
+  const Method& entry = methodNamed(method);
+  if (entry.schemes.size() > 1) return {};
+  return fmt::format("the method {} runs on one thread{}{}; {}, or method rk4", method,
+                     entry.alone_because.empty() ? "" : ": ", entry.alone_because, kRemedy);
 }
 
 }  // namespace
 
 std::vector<Scheme> schemesOf(const std::string& method) {
-  if (method == "rk4") return {Scheme::kSerial, Scheme::kStages, Scheme::kHalo, Scheme::kPipeline};
-  if (isSplitMethod(method)) return {Scheme::kSerial, Scheme::kSplit};
-  return {Scheme::kSerial};
+  const std::vector<Scheme>& schemes = methodNamed(method).schemes;
+  return schemes.empty() ? std::vector{Scheme::kSerial} : schemes;
 }
 
 std::string threadsUnsupported(const std::string& form, const std::string& method, const Sharing& sharing) {
@@ -63,7 +54,7 @@ std::string threadsUnsupported(const std::string& form, const std::string& metho
       return fmt::format("scheme {} does not share the work of {}; take {}", nameOf(*sharing.scheme), method, known);
     }
   }
-  if (isSplitMethod(method) && threads > 2) {
+  if (const int most = methodNamed(method).most_threads; most > 0 && threads > most) {
     return fmt::format("{} has two parts, bounce and pitch: it runs on 1 or 2 threads, not on {}", method, threads);
   }
   return {};

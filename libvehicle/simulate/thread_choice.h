@@ -11,7 +11,6 @@ namespace vehicle {
 inline constexpr int kMostThreads = 256;
 
 /// The schemes by which threads can share the work of a method, serial first.
-///     rk4: serial, stages, halo, pipeline     rk4_split: serial, split     others: serial
 [[nodiscard]] std::vector<Scheme> schemesOf(const std::string& method);
 
 /// Why this method on that form cannot run on so many threads by that scheme, in one sentence with its remedy; empty

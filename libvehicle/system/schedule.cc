@@ -151,6 +151,10 @@ void Schedule::addParts(const Input& input) {
     }
   }
   for (std::size_t i = 0; i + 1 < parts_.size(); ++i) parts_[i].next = parts_[i + 1].segment;
+  parts_.back().segment_end = parts_.back().end;
+  for (std::size_t i = parts_.size() - 1; i-- > 0;) {
+    parts_[i].segment_end = parts_[i].next == parts_[i].segment ? parts_[i + 1].segment_end : parts_[i].end;
+  }
   parts_.back().next = input.segments() - 1;  // what is left of the input is shorter than the tolerance
 }
 
@@ -205,7 +209,9 @@ Interval Schedule::intervalOf(const Part& part, std::size_t index) const {
   interval.next = is_last ? part.next : part.segment;
   if ((!is_first || part.first_whole) && (!is_last || part.last_whole)) {
     interval.whole = sampling_.output_step / part.cut;
+    interval.alike = part.count - own - (part.last_whole ? 0 : 1);
   }
+  interval.segment_end = part.segment_end;
   if (is_last) {
     if (part.shown) interval.sample = part.first_sample + static_cast<int>(own);
     interval.output = part.last_output;
@@ -216,14 +222,6 @@ Interval Schedule::intervalOf(const Part& part, std::size_t index) const {
   if (point % part.cut == 0) interval.output = static_cast<int>(point / part.cut);
   if (point % part.finer == 0) interval.regular = static_cast<int>(point / part.finer);
   return interval;
-}
-
-std::size_t Schedule::wholeFrom(std::size_t index) const {
-  const Part& part = partOf(index);
-  const std::size_t own = index - part.first_interval;
-  if (own == 0 && !part.first_whole) return 0;
-  const std::size_t last = part.count - (part.last_whole ? 0 : 1);  // behind the last whole one
-  return own < last ? last - own : 0;
 }
 
 double Schedule::time(int sample) const {

@@ -22,6 +22,8 @@ struct Interval {
   int output = -1;     // number of the output sample at `end`, or -1
   int regular = -1;    // number of the point of the regular grid at `end`, or -1 (Sampling)
   double whole = 0.0;  // [s] the length that is meant where it is a whole step of the grid; 0: another length
+  std::size_t alike = 0;     // intervals from this one on that are such whole steps, in this segment; 0: it is none
+  double segment_end = 0.0;  // [s] up to there the segment's formula holds
 };
 
 /// Most output samples a run may have: beyond, the grid itself is no longer exact to a billionth of a step.
@@ -90,6 +92,7 @@ class Schedule {
     bool last_whole = false;   // whether `end` is one
     bool shown = true;         // whether `end` is a sample
     bool counts = true;        // whether the motion is measured here
+    double segment_end = 0.0;  // [s] of this part, or of a later one of the same segment
     std::size_t first_interval = 0;
     int first_sample = 0;  // number of the sample at the end of its first interval
     int last_output = -1;  // at `end`
@@ -114,8 +117,6 @@ class Schedule {
   };
   [[nodiscard]] Intervals intervals() const { return Intervals(*this); }
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
-  /// How many intervals from that one on, itself included, are whole steps of the grid of one segment; 0 if it is none.
-  [[nodiscard]] std::size_t wholeFrom(std::size_t index) const;
 
   [[nodiscard]] int samples() const { return samples_; }  // the one at the start included
   [[nodiscard]] int outputs() const { return outputs_; }  // those that are kept

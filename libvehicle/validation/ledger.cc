@@ -19,17 +19,13 @@ using Eigen::VectorXd;
 
 constexpr double kUlp = 0x1p-52;
 
-// An adaptive method keeps the error of each step within a tolerance. If every step erred by all of it, always
-// with the sign that hurts most, the vehicle would gather L (tolerance / step). This share of that is expected:
-// eight vehicles, damped and undamped, at two speeds on two tracks use at most a third of it (dopri5 0.015,
-// simbody_rkm 0.050 of the worst sum), because errors change sign and the tolerance bounds the lower order's error.
-constexpr double kDopri5Share = 0.05;
-constexpr double kSimbodyShare = 0.15;
 // Richardson's estimate is the leading term; twice it covers the following ones at steps that resolve
 // every mode (MotionRates::resolvingRk4Step).
 constexpr double kRichardson = 2.0;
 // First-order perturbation, evaluated with the peaks of the linear run: half as much again for the next order.
 constexpr double kGeometry = 1.5;
+
+const ExpectedError& errorOf(const RunKey& run) { return methodNamed(run.method).error; }
 
 Index columnOf(const CaseSize& the_case, PartKind part, std::size_t index, Quantity quantity) {
   return the_case.model.outputs.column(part, static_cast<int>(index), quantity);
@@ -86,7 +82,7 @@ VectorXd roundingOf(const CaseSize& the_case, const RunKey& run, long steps) {
   const MotionSize& motion = the_case.motion;
   const Index wheels2 = sensitivity.matrices.B.cols();
   VectorXd rate(motion.state.size());
-  if (isExact(run.method)) {
+  if (errorOf(run).law == ErrorLaw::kNone) {
     // A matrix exponential is good to some ulps of the whole state, not of each entry, and the same matrix acts
     // at every sample: its error is systematic.
     const Index coordinates = the_case.model.states.coordinates;
@@ -124,7 +120,7 @@ VectorXd roundingOf(const CaseSize& the_case, const RunKey& run, long steps) {
 /// What an adaptive method allows each state to be wrong after one step.
 VectorXd stepTolerance(const CaseSize& the_case, const RunKey& run) {
   const VectorXd& state = the_case.motion.state;
-  if (run.method == "dopri5") return (run.relative * state.array() + run.absolute).matrix();
+  if (errorOf(run).law == ErrorLaw::kTolerances) return (run.relative * state.array() + run.absolute).matrix();
   // Simbody holds displacements of unit scale, smaller ones to the absolute value, and velocities to the same times
   // the coordinate's own angular frequency.
   const StateLayout& layout = the_case.model.states;
@@ -139,16 +135,20 @@ VectorXd stepTolerance(const CaseSize& the_case, const RunKey& run) {
 
 VectorXd integrationOf(const CaseSize& the_case, const RunKey& run, long steps, const VectorXd& step_difference) {
   const Sensitivity& sensitivity = the_case.sensitivity;
-  if (isExact(run.method)) return VectorXd::Zero(sensitivity.C.rows());
-  if (isRk4(run.method)) {
+  const ExpectedError& error = errorOf(run);
+  if (error.law == ErrorLaw::kNone) return VectorXd::Zero(sensitivity.C.rows());
+  if (error.law == ErrorLaw::kStepHalving) {
     // Order 4: err(h) = 16/15 |y(h) - y(h/2)|, err(h/2) = 1/15 of it. A method that has lost its order has a
     // larger err(h/2) and falls outside there.
-    return kRichardson * (run.refine == 1 ? 16.0 / 15.0 : 1.0 / 15.0) * step_difference;
+    const double ratio = std::exp2(error.order);
+    return kRichardson * ((run.refine == 1 ? ratio : 1.0) / (ratio - 1.0)) * step_difference;
   }
+  // An adaptive method keeps the error of each step within a tolerance. If every step erred by all of it, always
+  // with the sign that hurts most, the vehicle would gather L (tolerance / step); a share of that is expected.
   const VectorXd tolerance = stepTolerance(the_case, run);
   const double steps_per_second = static_cast<double>(steps) / the_case.duration;
   const VectorXd worst = steps_per_second * (sensitivity.L * tolerance) + sensitivity.C.cwiseAbs() * tolerance;
-  return (run.method == "dopri5" ? kDopri5Share : kSimbodyShare) * worst;
+  return error.share * worst;
 }
 
 VectorXd geometryOf(const CaseSize& the_case) {
@@ -200,9 +200,11 @@ VectorXd geometryOf(const CaseSize& the_case) {
 bool hasTrueGeometry(const std::string& form) { return isSimbodyForm(form) && !isLinearForm(form); }
 
 std::string integrationWords(const RunKey& run) {
-  if (isRk4(run.method)) return fmt::format("rk4 at {:.4g} ms, by Richardson", 1e3 * run.step / run.refine);
-  if (run.method == "dopri5") return fmt::format("dopri5 at {:.0e}", run.relative);
-  return fmt::format("simbody_rkm at {:.0e}", run.accuracy);
+  const Method& method = methodNamed(run.method);
+  if (hasFixedSteps(run)) {
+    return fmt::format("{} at {:.4g} ms, by Richardson", method.family(), 1e3 * run.step / run.refine);
+  }
+  return fmt::format("{} at {:.0e}", run.method, method.reads.tolerances ? run.relative : run.accuracy);
 }
 
 std::string geometryWords(const CaseSize& the_case) {
@@ -235,6 +237,8 @@ std::string RunKey::text() const {
   return refine == 1 ? text : text + " h/2";
 }
 
+bool hasFixedSteps(const RunKey& run) { return errorOf(run).law == ErrorLaw::kStepHalving; }
+
 bool haveEqualBits(const RunKey& a, const RunKey& b) {
   const auto serial = [](RunKey key) {
     key.scheme.clear();
@@ -257,7 +261,8 @@ RunSize sizeOfRun(const CaseSize& the_case, const RunKey& run, long steps, const
 Expectation expectationOf(const CaseSize& the_case, const RunKey& a, const RunSize& a_size, const RunKey& b,
                           const RunSize& b_size) {
   const bool same_method = a.method == b.method;
-  const bool same_steps = isRk4(a.method) && isRk4(b.method) && a.step == b.step && a.refine == b.refine;
+  const bool same_steps = hasFixedSteps(a) && methodNamed(a.method).family() == methodNamed(b.method).family() &&
+                          a.step == b.step && a.refine == b.refine;
   const bool same_geometry = hasTrueGeometry(a.form) == hasTrueGeometry(b.form);
   const VectorXd zero = VectorXd::Zero(a_size.rounding.size());
   if (haveEqualBits(a, b)) return {zero, zero, Source::kRounding, "equal bits: shared among threads in another way"};
@@ -294,7 +299,8 @@ Expectation expectationOf(const CaseSize& the_case, const RunKey& a, const RunSi
       parts.push_back({b_size.integration(worst), Source::kIntegration, integrationWords(b)});
   }
   parts.push_back(
-      {made.rounding(worst), Source::kRounding, same_steps ? "same equations, same rk4 steps" : "same equations"});
+      {made.rounding(worst), Source::kRounding,
+       same_steps ? fmt::format("same equations, same {} steps", methodNamed(a.method).family()) : "same equations"});
   std::stable_sort(parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.size > q.size; });
   made.source = parts.front().source;
   // A second part is worth a word from a tenth of the whole on.

@@ -37,6 +37,9 @@ struct RunKey {
   [[nodiscard]] std::string text() const;
 };
 
+/// Whether the run makes fixed steps, so that a second run with half the step tells its error.
+[[nodiscard]] bool hasFixedSteps(const RunKey& run);
+
 /// Whether two runs are the same computation, shared among threads in different ways: their bits must be equal.
 [[nodiscard]] bool haveEqualBits(const RunKey& a, const RunKey& b);
 

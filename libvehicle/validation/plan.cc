@@ -51,7 +51,7 @@ class Planner {
       if (unsupported.empty()) {
         planMethod(form, method);
         runs = true;
-      } else if (!all || !isSplitMethod(method)) {
+      } else if (!all || methodNamed(method).unsupportedVehicle == nullptr) {
         plan_.unsupported.push_back({form, method, unsupported});
       }
     }
@@ -64,7 +64,7 @@ class Planner {
   void planMethod(const std::string& form, const std::string& method) {
     RunKey key = keyOf(form, method);
     add(key);
-    if (isRk4(method)) {
+    if (hasFixedSteps(key)) {
       key.refine = 2;
       add(key);
     }
@@ -86,7 +86,8 @@ class Planner {
   [[nodiscard]] RunKey sharedKey(const SharedColumn& column) {
     RunKey key = keyOf("flat", column.method);
     key.scheme = column.scheme;
-    key.threads = isSplitMethod(column.method) ? column.threads : std::min(column.threads, equationsOfFlat());
+    key.threads =
+        methodNamed(column.method).most_threads > 0 ? column.threads : std::min(column.threads, equationsOfFlat());
     key.map = column.map == "paper" && equationsOfFlat() != 4 ? "auto" : column.map;
     return key;
   }

@@ -76,7 +76,7 @@ class Case {
     report_.unsupported = std::move(plan.unsupported);
     report_.notes = std::move(plan.notes);
     for (RunKey& key : plan.runs) {
-      if (isRk4(key.method)) key.step = stepOf(key.form);
+      if (hasFixedSteps(key)) key.step = stepOf(key.form);
       report_.runs.emplace_back().key = std::move(key);
     }
     histories_.resize(report_.runs.size());
@@ -235,13 +235,13 @@ class Case {
       if (!finished(i)) continue;
       const RunKey& key = report_.runs[i].key;
       Eigen::VectorXd step_difference;
-      if (isRk4(key.method)) {
+      if (hasFixedSteps(key)) {
         const auto other = find(key.form, key.method, 3 - key.refine);
         step_difference = largestDifference(histories_[i], histories_[other.value_or(i)]);
       }
       const long steps = report_.runs[i].statistics.steps;
       sizes[i] = sizeOfRun(sizeFor(i), key, steps, step_difference);
-      if (isRk4(key.method) && histories_[i].samples() < kFewSamples) {
+      if (hasFixedSteps(key) && histories_[i].samples() < kFewSamples) {
         sizes[i] = sizeOfRun(sizeFor(i), key, steps, liftedFromZeros(step_difference, sizeFor(i), sizes[i].rounding));
       }
     }

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/source_tree.h"
-#include "tests/support/source_tree.h"
 #include "tests/support/test_folder.h"
 
 namespace vehicle::test {

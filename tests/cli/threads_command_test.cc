@@ -58,7 +58,7 @@ TEST(ThreadOptions, WhatIsWrongIsToldInOneLineWithStatusTwo) {
        "vehicle profile: --realtime: \"1 m\" is a length; a time is expected, e.g. \"5 ms\"; see vehicle profile "
        "--help\n"},
       {with("profile", {"--realtime", "11 s"}),
-       "vehicle: realtime: period = 11 s gives 0 steps in 10 s, must be at least 1 and below 2e9\n"},
+       "vehicle: realtime: period = 11 s gives 0 steps in 10 s, must be 1..10000000\n"},
       {with("profile", {"--realtime", "1 ms", "--threads", "2"}),
        "vehicle: --threads has no effect: with --realtime one thread computes all equations; omit one of them\n"},
       {with("profile", {"--every", "0"}),

@@ -305,11 +305,11 @@ TEST_P(Lanes, ThatBlowUpAreToldWithTheirTimeAndHarmNobody) {
     double failed_after = 0.0;
     try {
       Rk4<FlatRhs, 8> stepper{FlatRhs(designs[5].vehicle)};
-      runFixedStep(stepper, rail, Schedule(rail, run.output_step), run.step, designs[5].start,
-                   [&](int, int, double t, std::span<const double>) {
-                     failed_after = t;
-                     return true;
-                   });
+      FixedSteps(stepper, rail, run.step)
+          .run(Schedule(rail, run.output_step), designs[5].start, [&](int, int, double t, std::span<const double>) {
+            failed_after = t;
+            return true;
+          });
       ADD_FAILURE() << "the scalar run did not fail";
     } catch (const std::runtime_error&) {
     }

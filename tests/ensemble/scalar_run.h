@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "libvehicle/ensemble/ensemble.h"
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/result/column_summary.h"
 #include "libvehicle/system/sample_weights.h"
 #include "tests/support/tolerance.h"
 
-// The witness: one design at a time by runFixedStep() and the columns of flat/flat_form.cc written anew.
+// The witness: one design at a time by FixedSteps and the columns of flat/flat_form.cc written anew.
 namespace vehicle::test {
 
 /// All columns of a design at one instant.
@@ -49,7 +49,7 @@ struct ScalarRun {
   std::vector<ColumnSummary> summaries;      // (columns)
 };
 
-/// One design by runFixedStep() over the same measured schedule, both sides of every breakpoint evaluated.
+/// One design by FixedSteps over the same measured schedule, both sides of every breakpoint evaluated.
 inline ScalarRun scalarRun(const EnsembleDesign& design, const Input& rail, const EnsembleRun& run) {
   ScalarRun made;
   Sampling sampling{.output_step = run.output_step, .fastest = run.fastest, .steps = run.steps};
@@ -72,24 +72,24 @@ inline ScalarRun scalarRun(const EnsembleDesign& design, const Input& rail, cons
     weights.emplace(schedule, next.part());
     summaries.begin(t, (*weights)[0], columns(segment, t, x));
   };
-  runFixedStep(stepper, rail, schedule, run.step, design.start,
-               [&](int sample, int segment, double t, std::span<const double> x) {
-                 int regular = 0;
-                 if (sample == 0) {
-                   begin(segment, t, x);
-                 } else {
-                   const Interval interval = *next;
-                   const Schedule::Part& part = next.part();
-                   const std::size_t own = next.index() - part.first_interval + 1;
-                   if (weights) summaries.add(t, (*weights)[own], columns(interval.segment, t, x));
-                   regular = interval.regular;
-                   const bool ends = own == part.count;
-                   ++next;
-                   if (ends && !(next == schedule.intervals().end())) begin(segment, t, x);
-                 }
-                 if (regular >= 0 && t >= sampling.count_from) made.history.push_back(columns(segment, t, x));
-                 return true;
-               });
+  FixedSteps(stepper, rail, run.step)
+      .run(schedule, design.start, [&](int sample, int segment, double t, std::span<const double> x) {
+        int regular = 0;
+        if (sample == 0) {
+          begin(segment, t, x);
+        } else {
+          const Interval interval = *next;
+          const Schedule::Part& part = next.part();
+          const std::size_t own = next.index() - part.first_interval + 1;
+          if (weights) summaries.add(t, (*weights)[own], columns(interval.segment, t, x));
+          regular = interval.regular;
+          const bool ends = own == part.count;
+          ++next;
+          if (ends && !(next == schedule.intervals().end())) begin(segment, t, x);
+        }
+        if (regular >= 0 && t >= sampling.count_from) made.history.push_back(columns(segment, t, x));
+        return true;
+      });
   made.summaries = summaries.summaries();
   return made;
 }

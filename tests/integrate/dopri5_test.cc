@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "libvehicle/integrate/adaptive_run.h"
+#include "libvehicle/integrate/adaptive_steps.h"
 #include "libvehicle/integrate/system_rhs.h"
 #include "tests/integrate/cases.h"
 #include "tests/support/tolerance.h"
@@ -12,7 +12,7 @@ namespace {
 
 double errorAt(const Case& problem, Accuracy accuracy, Statistics* statistics = nullptr) {
   return worstError(problem, 0.01, [&](const auto& s, const auto& i, const auto& g, const auto& x, const auto& o) {
-    const Statistics cost = runDopri5(s, i, g, accuracy, x, o);
+    const Statistics cost = runDopri5({s, i, g, x}, accuracy, o);
     if (statistics != nullptr) *statistics = cost;
     return cost;
   });
@@ -83,7 +83,7 @@ TEST(Dopri5, EvaluationsAreSixAnAttemptAndOneAtEveryBreakpointAndTwoToBegin) {
 TEST(Dopri5, StepsDoNotFollowTheOutputSamples) {
   const Case problem = caseOf("sine", bounce(), sineRail(), {0.002, 0.01});
   const auto stepsFor = [&](double output_step) {
-    return runDopri5(problem.system, problem.input, Schedule(problem.input, output_step), {}, problem.start,
+    return runDopri5({problem.system, problem.input, Schedule(problem.input, output_step), problem.start}, {},
                      [](int, int, double, std::span<const double>) { return true; })
         .steps;
   };
@@ -110,8 +110,8 @@ TEST(Dopri5, MaximumStepIsKept) {
   const Case problem = caseOf("rest", bounce(), flatRail());
   const auto steps = [&](double max_step) {
     Statistics statistics;
-    statistics = runDopri5(problem.system, problem.input, Schedule(problem.input, 1.0), {.max_step = max_step},
-                           problem.start, [](int, int, double, std::span<const double>) { return true; });
+    statistics = runDopri5({problem.system, problem.input, Schedule(problem.input, 1.0), problem.start},
+                           {.max_step = max_step}, [](int, int, double, std::span<const double>) { return true; });
     return statistics.steps;
   };
   EXPECT_LT(steps(0.0), 30);
@@ -124,7 +124,7 @@ TEST(Dopri5, BlowUpInFiniteTimeNamesTheTime) {
   const Input input = caseOf("flat", bounce(), flatRail(2.0)).input;
   const std::vector<double> start = {1.0};
   try {
-    runDopri5(system, input, Schedule(input, 0.1), {}, start,
+    runDopri5({system, input, Schedule(input, 0.1), start}, {},
               [](int, int, double, std::span<const double>) { return true; });
     FAIL() << "no error";
   } catch (const std::runtime_error& error) {

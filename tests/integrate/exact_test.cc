@@ -14,7 +14,7 @@ const Observer kIgnore = [](int, int, double, std::span<const double>) { return 
 double errorOf(const Case& problem, double output_step = 0.01, Statistics* statistics = nullptr) {
   return worstError(problem, output_step,
                     [&](const System& s, const Input& i, const Schedule& g, const auto& x, const auto& o) {
-                      const Statistics cost = runExact(s, i, g, x, o);
+                      const Statistics cost = runExact({s, i, g, x}, o);
                       if (statistics != nullptr) *statistics = cost;
                       return cost;
                     });
@@ -50,7 +50,7 @@ TEST(Exact, UndampedResonanceGrowsAsItShould) {
     for (int f = 0; f < others; ++f) rail.waves.push_back({20.0 + f, 0.0});
     const Case problem = caseOf("resonance", mass, {rail});
     double worst = 0.0;
-    runExact(problem.system, problem.input, Schedule(problem.input, 0.01), problem.start,
+    runExact({problem.system, problem.input, Schedule(problem.input, 0.01), problem.start},
              [&](int, int, double t, std::span<const double> x) {
                worst = std::max(worst, std::abs(x[0] - 0.5 * a * (std::sin(w * t) - w * t * std::cos(w * t))));
                return true;
@@ -72,7 +72,7 @@ TEST(Exact, StiffContactSpringUnderASoftMassStaysExact) {
   const MatrixSystem system(matricesOf(two));
   const Input input = inputOf({leading, trailing});
   double worst = 0.0;
-  runExact(system, input, Schedule(input, 5e-3), std::vector<double>(4, 0.0),
+  runExact({system, input, Schedule(input, 5e-3), std::vector<double>(4, 0.0)},
            [&](int, int, double t, std::span<const double> x) {
              const MassState p = two.mean().at({}, mean, t), d = two.difference().at({}, difference, t);
              worst = std::max(worst, std::abs(x[0] - p.z - d.z));
@@ -119,13 +119,14 @@ TEST(Exact, CutIntoStoredSamplesLosesNothing) {
   const Input once(1, {whole});
   const Input stored = storedInput(1, begin, dt, height, rate);
   std::vector<double> expected;
-  runExact(problem.system, once, Schedule(once, 0.01), problem.start, [&](int, int, double, std::span<const double> x) {
-    expected.insert(expected.end(), x.begin(), x.end());
-    return true;
-  });
+  runExact({problem.system, once, Schedule(once, 0.01), problem.start},
+           [&](int, int, double, std::span<const double> x) {
+             expected.insert(expected.end(), x.begin(), x.end());
+             return true;
+           });
   std::size_t at = 0;
   double worst = 0.0;
-  runExact(problem.system, stored, Schedule(stored, 0.01), problem.start,
+  runExact({problem.system, stored, Schedule(stored, 0.01), problem.start},
            [&](int, int, double, std::span<const double> x) {
              for (const double value : x) worst = std::max(worst, std::abs(value - expected[at++]));
              return true;
@@ -140,7 +141,7 @@ TEST(Exact, RefusesANonlinearSystem) {
   const ExpressionSystem system(2, 1, [](const double*, const double*, double*) {});
   const Input input = inputOf({flatRail()});
   try {
-    runExact(system, input, Schedule(input, 0.01), std::vector<double>(2, 0.0), kIgnore);
+    runExact({system, input, Schedule(input, 0.01), std::vector<double>(2, 0.0)}, kIgnore);
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),

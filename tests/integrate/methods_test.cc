@@ -18,7 +18,7 @@ struct ByRk4 {
   static constexpr double kEnergyError = 1e-9;
   static constexpr double kRestartError = 1e-15;  // the same steps; only the phases of the rail round differently
   static Statistics run(const System& s, const Input& i, const Schedule& g, States x, const Observer& o) {
-    return runRk4(s, i, g, {.step = 1e-3}, x, o);
+    return runRk4({s, i, g, x}, {.step = 1e-3}, o);
   }
 };
 
@@ -28,7 +28,7 @@ struct ByDopri5 {
   static constexpr double kEnergyError = 1e-8;
   static constexpr double kRestartError = 1e-8;  // other steps
   static Statistics run(const System& s, const Input& i, const Schedule& g, States x, const Observer& o) {
-    return runDopri5(s, i, g, {.relative = 1e-10, .absolute = 1e-12}, x, o);
+    return runDopri5({s, i, g, x}, {.relative = 1e-10, .absolute = 1e-12}, o);
   }
 };
 
@@ -38,7 +38,7 @@ struct ByExact {
   static constexpr double kEnergyError = 2e-13;
   static constexpr double kRestartError = 1e-13;
   static Statistics run(const System& s, const Input& i, const Schedule& g, States x, const Observer& o) {
-    return runExact(s, i, g, x, o);
+    return runExact({s, i, g, x}, o);
   }
 };
 

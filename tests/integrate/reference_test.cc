@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "tests/integrate/cases.h"
 #include "tests/support/paper_matrices.h"
@@ -40,7 +40,8 @@ double errorOf(const std::string& history, int columns, const Run& run) {
   EXPECT_EQ(static_cast<std::size_t>(schedule.samples()), table.at("t").size());
   std::array<double, 12> error{}, peak{};
   Eigen::VectorXd u(8);
-  run(system, input, schedule, std::vector<double>(8, 0.0), [&](int sample, int segment, double t, States state) {
+  const std::vector<double> rest(8, 0.0);
+  run(RunProblem{system, input, schedule, rest}, [&](int sample, int segment, double t, States state) {
     input.evaluate(segment, t, {u.data(), 8});
     const Eigen::Map<const Eigen::VectorXd> x(state.data(), 8);
     const Eigen::VectorXd slope = matrices.A * x + matrices.B * u;
@@ -59,9 +60,7 @@ double errorOf(const std::string& history, int columns, const Run& run) {
 }
 
 double rk4Error(const std::string& history, FixedStep step) {
-  return errorOf(history, 8, [&](const auto& s, const auto& i, const auto& g, const auto& x, const auto& o) {
-    return runRk4(s, i, g, step, x, o);
-  });
+  return errorOf(history, 8, [&](const RunProblem& problem, const Observer& o) { return runRk4(problem, step, o); });
 }
 
 TEST(PaperVehicle, ExactAgreesToRoundingAccelerationsIncluded) {
@@ -73,10 +72,9 @@ TEST(PaperVehicle, ExactAgreesToRoundingAccelerationsIncluded) {
 
 TEST(PaperVehicle, Dopri5AtTightTolerancesIsBelowOnePartInAHundredMillionAccelerationsIncluded) {
   for (const char* history : {"onset", "extended"}) {
-    const double error =
-        errorOf(history, 12, [](const auto& s, const auto& i, const auto& g, const auto& x, const auto& o) {
-          return runDopri5(s, i, g, {.relative = 1e-10, .absolute = 1e-12}, x, o);
-        });
+    const double error = errorOf(history, 12, [](const RunProblem& problem, const Observer& o) {
+      return runDopri5(problem, {.relative = 1e-10, .absolute = 1e-12}, o);
+    });
     EXPECT_WITHIN(error, 0.0, 1e-8) << history;
   }
 }

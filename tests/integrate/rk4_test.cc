@@ -3,7 +3,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/system_rhs.h"
 #include "tests/integrate/cases.h"
 #include "tests/support/tolerance.h"
@@ -13,7 +13,7 @@ namespace {
 
 double errorAt(const Case& problem, int refine) {
   return worstError(problem, 0.01, [&](const auto& s, const auto& i, const auto& g, const auto& x, const auto& o) {
-    return runRk4(s, i, g, {.step = 5e-3, .refine = refine}, x, o);
+    return runRk4({s, i, g, x}, {.step = 5e-3, .refine = refine}, o);
   });
 }
 
@@ -68,9 +68,9 @@ TEST(Rk4, StaticAndVirtualPathGiveTheSameBits) {
     };
   };
   Rk4<DuffingRhs, 2> stepper(DuffingRhs{});
-  (void)runFixedStep(stepper, input, schedule, {.step = 1e-3}, start, keep(direct));
+  (void)FixedSteps(stepper, input, {.step = 1e-3}).run(schedule, start, keep(direct));
   const ExpressionSystem system(2, 1, DuffingRhs{});
-  (void)runRk4(system, input, schedule, {.step = 1e-3}, start, keep(adapted));
+  (void)runRk4({system, input, schedule, start}, {.step = 1e-3}, keep(adapted));
   ASSERT_EQ(direct.size(), 602u);
   EXPECT_EQ(std::memcmp(direct.data(), adapted.data(), direct.size() * sizeof(double)), 0);
 }
@@ -79,7 +79,7 @@ TEST(Rk4, CutOfTheInputIntoBlocksLeavesNoTrace) {
   // One interval of 3 s in 3000 steps, against the same steps with the input of each asked by itself.
   const Case problem = caseOf("sine", bounce(), sineRail(), {0.002, 0.01});
   const auto run = [](const auto& s, const auto& i, const auto& g, const auto& x, const auto& o) {
-    return runRk4(s, i, g, {.step = 1e-3}, x, o);
+    return runRk4({s, i, g, x}, {.step = 1e-3}, o);
   };
   const double error = worstError(problem, 3.0, run);
   Rk4<SystemRhs> stepper(SystemRhs(problem.system), 2);
@@ -107,9 +107,9 @@ TEST(Rk4, FourEvaluationsAStepAndStepsThatDivideEveryInterval) {
     ++calls;
     DuffingRhs{}(x, u, dx);
   });
-  const Statistics statistics = runRk4(counted, problem.input, Schedule(problem.input, 0.01),
-                                       {.step = 4e-3, .refine = 2}, problem.start,
-                                       [](int, int, double, std::span<const double>) { return true; });
+  const Statistics statistics =
+      runRk4({counted, problem.input, Schedule(problem.input, 0.01), problem.start}, {.step = 4e-3, .refine = 2},
+             [](int, int, double, std::span<const double>) { return true; });
   EXPECT_EQ(statistics.steps, 2 * (299 * 3 + 1 + 2));
   EXPECT_EQ(statistics.evaluations, 4 * statistics.steps);
   EXPECT_EQ(statistics.evaluations, calls);
@@ -119,24 +119,24 @@ TEST(Rk4, FourEvaluationsAStepAndStepsThatDivideEveryInterval) {
 TEST(StepGrid, SharesWholeOutputStepsOfOneSegmentAndStopsAtTheBreakpoint) {
   const Input input = inputOf({sineOnsetRail(0.3137)});
   const Schedule schedule(input, 0.01);
-  const StepGrid before = stepGridAt(schedule, 0, {.step = 4e-3});
-  EXPECT_EQ(before.count, 31u);
+  const StepGrid before = stepGridFrom(schedule.intervals()[0], {.step = 4e-3});
+  EXPECT_EQ(before.count, 31);
   EXPECT_EQ(before.steps, 3);
   EXPECT_DOUBLE_EQ(before.h, 0.01 / 3);
-  const StepGrid to_breakpoint = stepGridAt(schedule, 31, {.step = 4e-3});
+  const StepGrid to_breakpoint = stepGridFrom(schedule.intervals()[31], {.step = 4e-3});
   EXPECT_EQ(to_breakpoint.count, 1u);
   EXPECT_WITHIN(to_breakpoint.h, 0.0037, 1e-15);  // a difference of instants
-  const StepGrid from_breakpoint = stepGridAt(schedule, 32, {.step = 4e-3});
+  const StepGrid from_breakpoint = stepGridFrom(schedule.intervals()[32], {.step = 4e-3});
   EXPECT_EQ(from_breakpoint.count, 1u);
   EXPECT_WITHIN(2 * from_breakpoint.h, 0.0063, 1e-15);
-  EXPECT_EQ(stepGridAt(schedule, 33, {.step = 4e-3}).count, 268u);  // 0.32 s .. 3 s
+  EXPECT_EQ(stepGridFrom(schedule.intervals()[33], {.step = 4e-3}).count, 268);  // 0.32 s .. 3 s
 }
 
 TEST(StepGrid, BreakpointOnASampleDividesIt) {
   const Input input = inputOf({sineOnsetRail(0.31)});
   const Schedule schedule(input, 0.01);
-  EXPECT_EQ(stepGridAt(schedule, 0, {}).count, 31u);
-  EXPECT_EQ(stepGridAt(schedule, 31, {}).count, 269u);
+  EXPECT_EQ(stepGridFrom(schedule.intervals()[0], {}).count, 31);
+  EXPECT_EQ(stepGridFrom(schedule.intervals()[31], {}).count, 269);
 }
 
 TEST(StepsOf, LengthAboveAMultipleByRoundingAloneCostsNoStepMore) {

@@ -30,6 +30,10 @@ Vehicle oneMass(double damping) {
   return made;
 }
 
+Statistics runSimbody(const MbsForm& form, const RunProblem& problem, double accuracy, const Observer& observe) {
+  return form.bySimbody(problem, accuracy)->run(problem.schedule, problem.x0, observe);
+}
+
 InputSegment flat(int channels, double begin, double end, double height) {
   InputSegment made;
   made.begin = begin;
@@ -78,15 +82,16 @@ TEST(SimbodyRun, BumpBetweenOutputSamplesHasTheClosedForm) {
   const BaseExcitedMass left(0.0, 0.0, 0.0, amplitude, w, 0.02);
   double worst = 0.0, peak = 0.0;
   int next = 0;
-  const Statistics statistics = form->runSimbody(
-      input, schedule, 1e-12, std::vector<double>(2, 0.0), [&](int sample, int, double t, std::span<const double> x) {
-        EXPECT_EQ(sample, next++);
-        EXPECT_WITHIN(t, schedule.time(sample), 0.0);
-        const double expected = t <= start ? 0.0 : BaseExcitedMass(left.z, left.v, 0.0, 0.0, w, t - end).z;
-        worst = std::max(worst, std::abs(x[0] - expected));
-        peak = std::max(peak, std::abs(expected));
-        return true;
-      });
+  const Statistics statistics =
+      runSimbody(*form, {*form, input, schedule, std::vector<double>(2, 0.0)}, 1e-12,
+                 [&](int sample, int, double t, std::span<const double> x) {
+                   EXPECT_EQ(sample, next++);
+                   EXPECT_WITHIN(t, schedule.time(sample), 0.0);
+                   const double expected = t <= start ? 0.0 : BaseExcitedMass(left.z, left.v, 0.0, 0.0, w, t - end).z;
+                   worst = std::max(worst, std::abs(x[0] - expected));
+                   peak = std::max(peak, std::abs(expected));
+                   return true;
+                 });
   EXPECT_EQ(next, schedule.samples());
   EXPECT_GT(peak, 1e-3);
   // The integrator's own error: 1e-12 a step on the scale of 1 m, adding up over some ten steps of a damped motion
@@ -107,14 +112,16 @@ TEST(SimbodyRun, TheStepAfterABreakpointStartsFromTheRightHandLimit) {
   const BaseExcitedMass left(0.0, 0.0, 0.0, amplitude, w, 0.02);
   double worst = 0.0;
   const std::vector<double> x0(2, 0.0);
-  const Statistics statistics = form->runSimbody(
-      input, Schedule(input, 1e-3), 0.9, x0, [&](int, int, double t, std::span<const double> x) {
-        double expected = 0.0;
-        if (t > start) expected = BaseExcitedMass(0.0, 0.0, 0.0, amplitude, w, t - start).z;
-        if (t > end) expected = BaseExcitedMass(left.z, left.v, 0.0, 0.0, w, t - end).z;
-        worst = std::max(worst, std::abs(x[0] - expected));
-        return true;
-      });
+  const Statistics statistics = runSimbody(*form, {*form, input, Schedule(input, 1e-3), x0}, 0.9,
+                                           [&](int, int, double t, std::span<const double> x) {
+                                             double expected = 0.0;
+                                             if (t > start)
+                                               expected = BaseExcitedMass(0.0, 0.0, 0.0, amplitude, w, t - start).z;
+                                             if (t > end)
+                                               expected = BaseExcitedMass(left.z, left.v, 0.0, 0.0, w, t - end).z;
+                                             worst = std::max(worst, std::abs(x[0] - expected));
+                                             return true;
+                                           });
   EXPECT_EQ(statistics.rejected, 0);
   EXPECT_EQ(statistics.steps, 502);  // 500 between samples, one more for each breakpoint
   EXPECT_WITHIN(worst, 0.0, 5e-8);
@@ -125,11 +132,11 @@ TEST(SimbodyRun, SampleOnABreakpointBelongsToTheSegmentThatBegins) {
   const Input input(1, {flat(1, 0.0, 0.1, 0.0), sine(0.1, 0.3, 0.01, 5.0)});
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   std::vector<int> segments;
-  form->runSimbody(input, Schedule(input, 0.05), 1e-9, std::vector<double>(2, 0.0),
-                   [&](int, int segment, double, std::span<const double>) {
-                     segments.push_back(segment);
-                     return true;
-                   });
+  runSimbody(*form, {*form, input, Schedule(input, 0.05), std::vector<double>(2, 0.0)}, 1e-9,
+             [&](int, int segment, double, std::span<const double>) {
+               segments.push_back(segment);
+               return true;
+             });
   EXPECT_EQ(segments, (std::vector<int>{0, 0, 1, 1, 1, 1, 1}));
 }
 
@@ -140,15 +147,15 @@ TEST(SimbodyRun, AskingForColumnsOnTheWayChangesNoBit) {
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kTrue);
   const auto last = [&](bool ask) {
     std::vector<double> reached, u(3), y(form->outputs().size());
-    form->runSimbody(input, schedule, 1e-9, std::vector<double>(2, 0.0),
-                     [&](int, int segment, double t, std::span<const double> x) {
-                       if (ask) {
-                         input.evaluate(segment, t, u);
-                         form->output(x, u, y);
-                       }
-                       reached.assign(x.begin(), x.end());
-                       return true;
-                     });
+    runSimbody(*form, {*form, input, schedule, std::vector<double>(2, 0.0)}, 1e-9,
+               [&](int, int segment, double t, std::span<const double> x) {
+                 if (ask) {
+                   input.evaluate(segment, t, u);
+                   form->output(x, u, y);
+                 }
+                 reached.assign(x.begin(), x.end());
+                 return true;
+               });
     return reached;
   };
   EXPECT_EQ(last(false), last(true));
@@ -179,7 +186,7 @@ TEST(SimbodyRun, UndampedVehicleKeepsItsEnergyAtLargeAngles) {
   const std::vector<double> x0 = {0.02, 0.15, -0.01, 0.005, 0.1, 0.0, 0.0, 0.2};
   const double stored = energyOf(x0);
   double worst = 0.0, turned = 0.0;
-  form->runSimbody(input, Schedule(input, 0.05), 1e-10, x0, [&](int, int, double, std::span<const double> x) {
+  runSimbody(*form, {*form, input, Schedule(input, 0.05), x0}, 1e-10, [&](int, int, double, std::span<const double> x) {
     worst = std::max(worst, std::abs(energyOf({x.begin(), x.end()}) - stored));
     turned = std::max(turned, std::abs(x[1] - x0[1]));
     return true;
@@ -193,8 +200,9 @@ TEST(SimbodyRun, TighterAccuracyTakesMoreSteps) {
   const Input input(1, {sine(0.0, 2.0, 0.01, 12.0)});
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const auto steps = [&](double accuracy) {
-    return form->runSimbody(input, Schedule(input, 0.5), accuracy, std::vector<double>(2, 0.0),
-                            [](int, int, double, std::span<const double>) { return true; }).steps;
+    return runSimbody(*form, {*form, input, Schedule(input, 0.5), std::vector<double>(2, 0.0)}, accuracy,
+                      [](int, int, double, std::span<const double>) { return true; })
+        .steps;
   };
   EXPECT_GT(steps(1e-10), 2 * steps(1e-6));
 }
@@ -205,11 +213,11 @@ TEST(SimbodyRun, AnObserverEndsTheRun) {
   int seen = 0;
   const auto until = [&](int last) {
     seen = 0;
-    return form->runSimbody(input, Schedule(input, 0.1), 1e-6, std::vector<double>(2, 0.0),
-                            [&](int sample, int, double, std::span<const double>) {
-                              ++seen;
-                              return sample < last;
-                            });
+    return runSimbody(*form, {*form, input, Schedule(input, 0.1), std::vector<double>(2, 0.0)}, 1e-6,
+                      [&](int sample, int, double, std::span<const double>) {
+                        ++seen;
+                        return sample < last;
+                      });
   };
   EXPECT_TRUE(until(3).stopped);
   EXPECT_EQ(seen, 4);
@@ -221,8 +229,8 @@ TEST(SimbodyRun, AnObserversExceptionPassesUntouched) {
   const Input input(1, {flat(1, 0.0, 1.0, 0.0)});
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const auto run = [&] {
-    form->runSimbody(input, Schedule(input, 0.1), 1e-6, std::vector<double>(2, 0.0),
-                     [](int, int, double, std::span<const double>) -> bool { throw std::out_of_range("disk"); });
+    runSimbody(*form, {*form, input, Schedule(input, 0.1), std::vector<double>(2, 0.0)}, 1e-6,
+               [](int, int, double, std::span<const double>) -> bool { throw std::out_of_range("disk"); });
   };
   EXPECT_THROW(run(), std::out_of_range);
 }
@@ -230,8 +238,8 @@ TEST(SimbodyRun, AnObserversExceptionPassesUntouched) {
 /// What a run says when it fails.
 std::string failureOf(const MbsForm& form, const Input& input, const std::vector<double>& x0) {
   try {
-    form.runSimbody(input, Schedule(input, 0.1), 1e-6, x0,
-                    [](int, int, double, std::span<const double>) { return true; });
+    runSimbody(form, {form, input, Schedule(input, 0.1), x0}, 1e-6,
+               [](int, int, double, std::span<const double>) { return true; });
   } catch (const RunFailed& failure) {
     return failure.what();
   }
@@ -259,8 +267,8 @@ TEST(SimbodyRun, WrongArgumentsAreNamed) {
   const auto form = buildMbsForm(compile(oneMass(kDamping), kGravity), MbsLaw::kLinear);
   const auto said = [&](const Input& rail, double accuracy, std::size_t size) -> std::string {
     try {
-      form->runSimbody(rail, Schedule(rail, 0.1), accuracy, std::vector<double>(size, 0.0),
-                       [](int, int, double, std::span<const double>) { return true; });
+      runSimbody(*form, {*form, rail, Schedule(rail, 0.1), std::vector<double>(size, 0.0)}, accuracy,
+                 [](int, int, double, std::span<const double>) { return true; });
     } catch (const std::invalid_argument& wrong) {
       return wrong.what();
     }

@@ -23,14 +23,16 @@ std::vector<double> work(MbsLaw law) {
   rail.polynomial.assign(16, 0.0);
   const Input input(4, {rail});
   std::vector<double> met, dx(8), u(8);
-  form->runSimbody(input, Schedule(input, 0.01), 1e-8, std::vector<double>(8, 0.0),
-                   [&](int, int segment, double t, std::span<const double> x) {
-                     met.insert(met.end(), x.begin(), x.end());
-                     input.evaluate(segment, t, u);
-                     form->derivative(x, u, dx);
-                     met.insert(met.end(), dx.begin(), dx.end());
-                     return true;
-                   });
+  const Schedule schedule(input, 0.01);
+  const std::vector<double> rest(8, 0.0);
+  form->bySimbody({*form, input, schedule, rest}, 1e-8)
+      ->run(schedule, rest, [&](int, int segment, double t, std::span<const double> x) {
+        met.insert(met.end(), x.begin(), x.end());
+        input.evaluate(segment, t, u);
+        form->derivative(x, u, dx);
+        met.insert(met.end(), dx.begin(), dx.end());
+        return true;
+      });
   return met;
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "libvehicle/integrate/rk4.h"
+#include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/map/cut_order.h"
 #include "tests/support/allocations.h"
 #include "tests/support/mass_graph.h"
@@ -40,7 +41,7 @@ struct Problem {
 
   std::vector<double> serialEnd() const {
     std::vector<double> end;
-    runRk4(system, input, schedule, kStep, start, [&](int, int, double, std::span<const double> x) {
+    runRk4({system, input, schedule, start}, kStep, [&](int, int, double, std::span<const double> x) {
       end.assign(x.begin(), x.end());
       return true;
     });

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "tests/support/eight_states.h"
 #include "tests/support/paper_matrices.h"
 

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "tests/support/paper_matrices.h"
 
@@ -38,7 +38,7 @@ struct Problem {
     for (int i = 0; i < masses; ++i) {
       parts.push_back({2, [this, i](const Observer& observe, Member*) {
                          Rk4<Mass, 2> stepper(Mass{60.0 + 40.0 * i, 3.0 + i, i % 4});
-                         return runFixedStep(stepper, input, schedule, {1e-3}, std::array{1e-3 * i, 0.0}, observe);
+                         return FixedSteps(stepper, input, {1e-3}).run(schedule, std::array{1e-3 * i, 0.0}, observe);
                        }});
     }
   }

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "tests/support/eight_states.h"
 #include "tests/support/paper_matrices.h"
@@ -65,7 +65,7 @@ Observer writeTo(Met& met) {
 Met serial(const Input& input, const Schedule& schedule, FixedStep step) {
   Met met;
   Rk4<PaperRhs, 8> stepper(PaperRhs{});
-  met.statistics = runFixedStep(stepper, input, schedule, step, kRest, writeTo(met));
+  met.statistics = FixedSteps(stepper, input, step).run(schedule, kRest, writeTo(met));
   return met;
 }
 
@@ -211,8 +211,9 @@ TEST(Pipeline, AnObserverThatSaysNoEndsTheTeam) {
                      [&](int sample, int, double, std::span<const double>) { return sample < last; }, {});
     EXPECT_TRUE(made.run.statistics.stopped);
     const Statistics alone =
-        runFixedStep(stepper, input, schedule, {1e-3}, kRest,
-                     [&](int sample, int, double, std::span<const double>) { return sample < last; });
+        FixedSteps(stepper, input, {1e-3}).run(schedule, kRest, [&](int sample, int, double, std::span<const double>) {
+          return sample < last;
+        });
     EXPECT_EQ(made.run.statistics.steps, alone.steps);
   }
 }
@@ -231,7 +232,7 @@ TEST(Pipeline, AnUnstableStepAndAWrongStartAreToldAsBySerial) {
   };
   const EightStates system;
   const Observer watch = [](int, int, double, std::span<const double>) { return true; };
-  const std::string alone = message([&] { (void)runFixedStep(stepper, input, schedule, {1.0}, kRest, watch); });
+  const std::string alone = message([&] { (void)FixedSteps(stepper, input, {1.0}).run(schedule, kRest, watch); });
   EXPECT_NE(alone.find("is no longer finite"), std::string::npos) << alone;
   EXPECT_EQ(message([&] {
               (void)runPipelined(stepper, {system, input, schedule, kRest}, {{1.0}, sweepRows(input)}, watch, {});

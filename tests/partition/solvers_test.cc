@@ -2,6 +2,7 @@
 // threads, on breakpoints, under delays, stopped early and gone infinite.
 #include <cmath>
 
+#include "libvehicle/integrate/run.h"
 #include "libvehicle/partition/map/equation_map.h"
 #include "libvehicle/partition/schemes/blocked_rk4.h"
 #include "tests/support/delays.h"
@@ -27,8 +28,11 @@ struct Problem {
   }
 
   RecordedRun serial(int last = -1) const {
-    return record([&](const Observer& observe) { return runRk4(system, input, schedule, kStep, start, observe); },
-                  last);
+    return record(
+        [&](const Observer& observe) {
+          return runRk4({system, input, schedule, start}, kStep, observe);
+        },
+        last);
   }
   [[nodiscard]] RunProblem problem() const { return {system, input, schedule, start}; }
   RecordedRun shared(const Sharing& sharing, int last = -1, const TeamPolicy& team = {}) const {
@@ -154,7 +158,9 @@ TEST(PartitionSolvers, AnExceptionOfTheObserverReachesTheCaller) {
 TEST(PartitionSolvers, SerialIsTheCacheBlockedCodeOnOneThread) {
   const Problem problem(massChain(90, 3));
   expectSerialBits(problem, Scheme::kSerial, EquationMap::kAuto, 1);
-  expectSameBits(record([&](const Observer& observe) { return runBlockedRk4(problem.problem(), kStep, observe); }),
+  expectSameBits(record([&](const Observer& observe) {
+                   return makeBlockedRk4(problem.problem(), kStep)->run(problem.schedule, problem.start, observe);
+                 }),
                  problem.serial());
 }
 

@@ -145,7 +145,7 @@ TEST(RunStreams, ASampledRailCostsItsSamplesAndNoMore) {
       const Input input = inputOf(piecesOf(rail), model.topology, Travel(20.0), {duration, 5e-3});
       const Schedule schedule(input, 5e-3);
       const std::vector<double> x0(static_cast<std::size_t>(system->size()), 0.0);
-      const Statistics statistics = runRk4(*system, input, schedule, {1e-3}, x0, [](auto&&...) { return true; });
+      const Statistics statistics = runRk4({*system, input, schedule, x0}, {1e-3}, [](auto&&...) { return true; });
       if (statistics.steps < static_cast<long>(900.0 * duration)) throw std::runtime_error("too few steps");
     });
   };

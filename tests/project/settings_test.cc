@@ -178,7 +178,7 @@ TEST(Settings, OfAScenarioAreRefusedWhereNoneIsRead) {
   const ProblemList problems = settings.problems();
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_EQ(problems[0].message, "scenario.gravity is of a scenario, and none is read here");
-  EXPECT_EQ(problems[0].remedy, "write --gravity instead");
+  EXPECT_EQ(problems[0].remedy, "omit it; info and modes take --gravity");
   EXPECT_EQ(problems[1].remedy, "omit it");
 }
 

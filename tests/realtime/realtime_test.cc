@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libvehicle/integrate/fixed_step_run.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/threads/placement.h"
 #include "tests/support/delays.h"
@@ -109,11 +109,11 @@ TEST(Realtime, WithEveryInputInTimeTheNumbersAreThoseOfTheOfflineRun) {
 
   Rk4<Mass, 2> rk4{Mass{}};
   std::vector<State> offline;
-  runFixedStep(rk4, input, Schedule(input, kPeriod), {kPeriod}, start,
-               [&](int, int, double, std::span<const double> now) {
-                 offline.push_back({now[0], now[1]});
-                 return true;
-               });
+  FixedSteps(rk4, input, {kPeriod})
+      .run(Schedule(input, kPeriod), start, [&](int, int, double, std::span<const double> now) {
+        offline.push_back({now[0], now[1]});
+        return true;
+      });
   ASSERT_EQ(offline.size(), static_cast<std::size_t>(kSteps) + 1);
   EXPECT_EQ(x, offline.back());
   for (long i = 1; i <= kSteps; ++i) {
@@ -324,12 +324,10 @@ TEST(Realtime, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal({0.0, 1}, {1.0}, 3, 1), "realtime: period = 0.000000 s, must be between 1e-6 s and 3600 s");
   EXPECT_NE(refusal({std::numeric_limits<double>::quiet_NaN(), 1}, {1.0}, 3, 1), "accepted");
   EXPECT_EQ(refusal({1e-3, -1}, {1.0}, 3, 1), "realtime: steps = -1, must be >= 0");
-  EXPECT_EQ(
-      refusal({1e-3, 1}, {1.0}, 4, 1),
-      "realtime: rows of the input mailbox have 4 values, must be three times the input: begin, middle and end of "
-      "a step");
-  EXPECT_EQ(refusal({1e-3, 1}, {1.0}, 3, 2),
-            "realtime: rows of the output mailbox have 2 values, must have 1, one a state");
+  EXPECT_EQ(refusal({1e-3, 1}, {1.0}, 4, 1),
+            "realtime: rows of the input have 4 values, must be three times the input: begin, middle and end of "
+            "a step");
+  EXPECT_EQ(refusal({1e-3, 1}, {1.0}, 3, 2), "realtime: rows of the output have 2 values, must have 1, one a state");
   EXPECT_NE(refusal({1e-3, 1}, {std::numeric_limits<double>::infinity()}, 3, 1), "accepted");
 }
 

@@ -129,9 +129,11 @@ TEST(FlatByType, GivesTheBitsOfTheVirtualRun) {
     const Schedule schedule(input, 5e-3);
     const std::vector<double> x0(8, 0.0);
     EXPECT_EQ(statesOf([&](const Observer& o) {
-                return runFlatRk4({*form, input, schedule, x0}, {}, o);
+                return makeFlatRk4({*form, input, schedule, x0}, {})->run(schedule, x0, o);
               }),
-              statesOf([&](const Observer& o) { return runRk4(*form, input, schedule, {}, x0, o); }))
+              statesOf([&](const Observer& o) {
+                return runRk4({*form, input, schedule, x0}, {}, o);
+              }))
         << vehicle.name;
   }
   const std::unique_ptr<FlatForm> form = buildFlatForm(compile(paperVehicle(), 9.81));
@@ -139,9 +141,11 @@ TEST(FlatByType, GivesTheBitsOfTheVirtualRun) {
   const Schedule schedule(input, 5e-3);
   const std::vector<double> x0(8, 0.0);
   EXPECT_EQ(statesOf([&](const Observer& o) {
-              return runFlatDopri5({*form, input, schedule, x0}, {}, o);
+              return makeFlatDopri5({*form, input, schedule, x0}, {})->run(schedule, x0, o);
             }),
-            statesOf([&](const Observer& o) { return runDopri5(*form, input, schedule, {}, x0, o); }));
+            statesOf([&](const Observer& o) {
+              return runDopri5({*form, input, schedule, x0}, {}, o);
+            }));
 }
 
 Scenario scaled(Scenario scenario, double factor) {

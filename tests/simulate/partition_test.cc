@@ -6,6 +6,7 @@
 #include "libvehicle/definition/train.h"
 #include "libvehicle/excitation/excitation.h"
 #include "libvehicle/flat/flat_train.h"
+#include "libvehicle/integrate/run.h"
 #include "libvehicle/model/topology.h"
 #include "libvehicle/partition/schemes/blocked_rk4.h"
 #include "libvehicle/simulate/flat_by_type.h"
@@ -43,8 +44,8 @@ struct Problem {
   RecordedRun serial() const {
     return record([&](const Observer& observe) {
       return dynamic_cast<const FlatForm*>(system.get()) != nullptr
-                 ? runFlatRk4(problem(), kStep, observe)
-                 : runRk4(*system, input, schedule, kStep, rest, observe);
+                 ? makeFlatRk4(problem(), kStep)->run(schedule, rest, observe)
+                 : runRk4({*system, input, schedule, rest}, kStep, observe);
     });
   }
   RecordedRun shared(const Sharing& sharing, std::function<void(int, long)> injectDelay = {}) const {

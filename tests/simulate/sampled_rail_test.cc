@@ -50,6 +50,8 @@ struct Case {
   explicit Case(const std::vector<RailPiece>& rail, const Travel& travel = Travel(kSpeed))
       : input(inputOf(rail, model.topology, travel, {kEnd, 5e-3})), schedule(input, 5e-3) {}
 
+  [[nodiscard]] RunProblem problem() const { return {*system, input, schedule, x0}; }
+
   template <class Run>
   std::vector<double> statesOf(const Run& run) const {
     std::vector<double> states;
@@ -64,7 +66,7 @@ struct Case {
 
 std::vector<double> byRk4(const Case& of) {
   return of.statesOf(
-      [](const Case& c, const Observer& keep) { (void)runRk4(*c.system, c.input, c.schedule, {1e-3}, c.x0, keep); });
+      [](const Case& c, const Observer& keep) { (void)runRk4(c.problem(), {1e-3}, keep); });
 }
 
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -88,7 +90,7 @@ TEST(SampledRail, ARunOverSamplesIsThatOverTheirRail) {
 TEST(SampledRail, Dopri5AgreesWithRk4OnTheSameSamples) {
   const Case sampled(sampledRail(0.25));
   const std::vector<double> adaptive = sampled.statesOf([](const Case& c, const Observer& keep) {
-    (void)runDopri5(*c.system, c.input, c.schedule, {1e-10, 1e-12}, c.x0, keep);
+    (void)runDopri5(c.problem(), {1e-10, 1e-12}, keep);
   });
   EXPECT_LT(largestDifference(adaptive, byRk4(sampled)), 1e-8);
 }
@@ -98,7 +100,7 @@ TEST(SampledRail, ThreadsGiveTheBitsOfOne) {
   const std::vector<double> alone = byRk4(sampled);
   for (const Scheme scheme : {Scheme::kStages, Scheme::kHalo, Scheme::kPipeline}) {
     const std::vector<double> shared = sampled.statesOf([&](const Case& c, const Observer& keep) {
-      (void)runPartitioned({*c.system, c.input, c.schedule, c.x0}, {1e-3}, keep, {.threads = 2, .scheme = scheme}, {});
+      (void)runPartitioned(c.problem(), {1e-3}, keep, {.threads = 2, .scheme = scheme}, {});
     });
     EXPECT_TRUE(shared == alone) << nameOf(scheme);
   }
@@ -106,7 +108,7 @@ TEST(SampledRail, ThreadsGiveTheBitsOfOne) {
 
 TEST(SampledRail, ExactRefusesWhatHasNoClosedForm) {
   const auto exact = [](const Case& of) {
-    return refusalOf([&] { (void)runExact(*of.system, of.input, of.schedule, of.x0, [](auto&&...) { return true; }); });
+    return refusalOf([&] { (void)runExact(of.problem(), [](auto&&...) { return true; }); });
   };
   EXPECT_EQ(exact(Case(harmonicRail())), "accepted");
   EXPECT_EQ(

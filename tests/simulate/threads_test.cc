@@ -39,9 +39,9 @@ std::vector<double> trace(const System& form, const Input& input, bool exact) {
     return true;
   };
   if (exact) {
-    runExact(form, input, schedule, rest, observe);
+    runExact({form, input, schedule, rest}, observe);
   } else {
-    runRk4(form, input, schedule, FixedStep{}, rest, observe);
+    runRk4({form, input, schedule, rest}, FixedStep{}, observe);
   }
   return met;
 }

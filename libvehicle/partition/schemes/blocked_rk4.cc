@@ -4,9 +4,10 @@
 #include <cassert>
 #include <stdexcept>
 
+#include "libvehicle/integrate/drive.h"
 #include "libvehicle/integrate/failure.h"
+#include "libvehicle/integrate/rk4_stages.h"
 #include "libvehicle/partition/map/cut_order.h"
-#include "libvehicle/partition/schemes/rk4_stages.h"
 
 namespace vehicle {
 namespace {
@@ -187,33 +188,60 @@ void BlockedRk4::advance(double h, int k, int number) {
   }
 }
 
-Statistics runBlockedRk4(const RunProblem& problem, FixedStep step, const Observer& observe) {
-  const CutRun cut(problem);
-  const EquationGraph graph(cut.set());
-  BlockedRk4 rk4(cut.set(), graph, cut.input(), {0, graph.size()});
-  std::copy(cut.x0().begin(), cut.x0().end(), rk4.x());
+namespace {
 
-  std::vector<double> x(problem.x0.begin(), problem.x0.end());
-  Statistics statistics;
-  const Interval start = problem.schedule.intervals().front();
-  statistics.stopped = !observe(0, start.segment, start.begin, x);
-  if (statistics.stopped) return statistics;
-  const std::vector<int>& order = cut.set().stateOrder();
-  walkSteps(
-      {problem.schedule, step, rk4.stepsOfBlock()}, [&](const StepBlock& steps) { rk4.enter(steps); },
-      [&](double h, int k) {
-        rk4.prepare(k);
-        rk4.step(h, k, [](int) {});
-      },
-      [&](const StepPause& here) {
-        for (std::size_t i = 0; i < x.size(); ++i) x[at(order[i])] = rk4.x()[i];
-        requireFinite("rk4", here.reached, x);
-        statistics.steps = here.steps;
-        if (here.sample >= 0) statistics.stopped = !observe(here.sample, here.segment, here.end, x);
-        return !statistics.stopped;
-      });
-  statistics.evaluations = 4 * statistics.steps;
-  return statistics;
+/// The whole system, on the calling thread.
+class BlockedSteps final : public DrivenByType<BlockedSteps> {
+ public:
+  BlockedSteps(const RunProblem& problem, FixedStep step)
+      : cut_(problem),
+        graph_(cut_.set()),
+        rk4_(cut_.set(), graph_, cut_.input(), {0, graph_.size()}),
+        cursor_(step, rk4_.stepsOfBlock()),
+        x_(problem.x0.size()) {}
+
+  void restart(const Interval&, std::span<const double> x) override {
+    checkStart(kName, x, static_cast<int>(x_.size()));
+    std::copy(x.begin(), x.end(), x_.begin());
+    for (std::size_t i = 0; i < x_.size(); ++i) rk4_.x()[i] = x_[at(cut_.set().stateOrder()[i])];
+    cursor_.restart();
+  }
+
+  void advance(const Interval& interval) override {
+    const auto check = [&](double reached) {
+      for (std::size_t i = 0; i < x_.size(); ++i) x_[at(cut_.set().stateOrder()[i])] = rk4_.x()[i];
+      requireFinite(kName, reached, x_);
+      return true;
+    };
+    cursor_.advance(
+        interval, [&](const StepBlock& steps) { rk4_.enter(steps); },
+        [&](double h, int k) {
+          rk4_.prepare(k);
+          rk4_.step(h, k, [](int) {});
+        },
+        check);
+    check(cursor_.reached());
+  }
+
+  [[nodiscard]] std::span<const double> state() const override { return x_; }
+  [[nodiscard]] Statistics statistics() const override {
+    return {.steps = cursor_.steps(), .evaluations = 4 * cursor_.steps()};
+  }
+
+ private:
+  static constexpr const char* kName = "rk4";
+
+  CutRun cut_;
+  EquationGraph graph_;
+  BlockedRk4 rk4_;
+  StepCursor cursor_;
+  std::vector<double> x_;  // in the system's order
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> makeBlockedRk4(const RunProblem& problem, FixedStep step) {
+  return std::make_unique<BlockedSteps>(problem, step);
 }
 
 }  // namespace vehicle

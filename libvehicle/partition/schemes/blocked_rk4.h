@@ -17,13 +17,14 @@
 // 3. A thread that needs the new state of some equations only takes each stage of as many more as the next stage
 //    reads: the redundant halo. With all equations wanted there is none, and this is the serial code.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/integrate/integrator.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/partition/map/equation_graph.h"
 #include "libvehicle/partition/schemes/rail_rows.h"
-#include "libvehicle/partition/schemes/step_walk.h"
 #include "libvehicle/system/run_problem.h"
 
 namespace vehicle {
@@ -102,9 +103,9 @@ class BlockedRk4 {
   std::vector<double> sum_, second_, third_, fourth_;  // weighted slopes; arguments of stages 2, 3, 4
 };
 
-/// runRk4() of a system that can be cut, on the calling thread, cache block by cache block: the honest serial baseline
-/// of every scheme. The bits of runRk4().
-/// @throws as runRk4(), and std::invalid_argument if the system cannot be cut into equations
-Statistics runBlockedRk4(const RunProblem& problem, FixedStep step, const Observer& observe);
+/// rk4 of a system that can be cut, on the calling thread, cache block by cache block: the honest serial baseline of
+/// every scheme. The bits of makeRk4().
+/// @throws as makeRk4(), and std::invalid_argument if the system cannot be cut into equations
+[[nodiscard]] std::unique_ptr<Integrator> makeBlockedRk4(const RunProblem& problem, FixedStep step);
 
 }  // namespace vehicle

@@ -16,7 +16,7 @@
 
 namespace vehicle {
 
-/// Rk4 with redundant halo, the bits of runRk4(). On one thread it is runBlockedRk4().
+/// Rk4 with redundant halo, the bits of makeRk4(). On one thread it is makeBlockedRk4().
 /// @throws as runPartitioned()
 PartitionRun runHaloExchange(const RunProblem& problem, FixedStep step, const Observer& observe, const Sharing& sharing,
                              const TeamPolicy& team);

@@ -3,22 +3,15 @@
 #include <algorithm>
 
 namespace vehicle {
-namespace {
-
-int rowsOf(const StepBlock& block) { return 2 * (block.last - block.first) + 1; }
-
-}  // namespace
-
 InputParcels::InputParcels(const Schedule& schedule, FixedStep step) {
   const std::size_t intervals = schedule.intervals().size();
   int room = 0;  // steps that still fit into the last group
   int rows = 0;  // of the last group
   long done = 0;  // steps
   for (std::size_t first = 0; first < intervals;) {
-    const StepGrid grid = stepGridAt(schedule, first, step);
-    const Interval begin = schedule.intervals()[first];
-    const int steps = grid.steps * static_cast<int>(grid.count);
-    grids_.push_back({begin.segment, begin.begin, grid.h, steps});
+    const StepGrid grid = stepGridFrom(schedule.intervals()[first], step);
+    const int steps = grid.total();
+    grids_.push_back({grid.segment, grid.begin, grid.h, steps});
     if (steps > room) {
       groups_.push_back({count_, grids_.size() - 1, grids_.size(), done, done + steps});
       count_ += (steps + kStepsPerBlock - 1) / kStepsPerBlock;
@@ -32,7 +25,7 @@ InputParcels::InputParcels(const Schedule& schedule, FixedStep step) {
     }
     most_rows_ = std::max(most_rows_, rows);
     done += steps;
-    first += grid.count;
+    first += static_cast<std::size_t>(grid.count);
   }
 }
 
@@ -73,8 +66,8 @@ InputAhead::InputAhead(const Schedule& schedule, FixedStep step, int width, cons
 void InputAhead::compute(long parcel, std::vector<StepBlock>& blocks, double* u) const {
   parcels_.read(parcel, blocks);
   for (const StepBlock& block : blocks) {
-    rows_(block, rowsOf(block), u);
-    u += static_cast<std::size_t>(rowsOf(block)) * width_;
+    rows_(block, u);
+    u += static_cast<std::size_t>(block.rows()) * width_;
   }
 }
 
@@ -169,7 +162,7 @@ const double* InputAhead::enter(Member& me, const StepBlock& block) {
   }
   ++block_;
   const double* rows = next_;
-  next_ += static_cast<std::size_t>(rowsOf(block)) * width_;
+  next_ += static_cast<std::size_t>(block.rows()) * width_;
   return rows;
 }
 

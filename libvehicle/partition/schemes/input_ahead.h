@@ -24,15 +24,15 @@
 #include <functional>
 #include <vector>
 
-#include "libvehicle/partition/schemes/step_walk.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/threads/team.h"
 
 namespace vehicle {
 
-/// Rows of the input at the half steps of a block: 2 (last - first) + 1 rows of 2 w values.
-using BlockRows = std::function<void(const StepBlock& block, int rows, double* u)>;
+/// Rows of the input at the half steps of a block: block.rows() of 2 w values.
+using BlockRows = std::function<void(const StepBlock& block, double* u)>;
 
-/// The blocks of runFixedStep() in order, gathered to parcels of about kStepsPerBlock steps: a run along a broken or
+/// The blocks of FixedSteps in order, gathered to parcels of about kStepsPerBlock steps: a run along a broken or
 /// stored rail has blocks of a few steps, each not worth handing over.
 class InputParcels {
  public:

@@ -8,9 +8,8 @@
 namespace vehicle {
 
 BlockRows sweepRows(const Input& input) {
-  return [&input](const StepBlock& block, int rows, double* u) {
-    const auto values = static_cast<std::size_t>(rows) * 2 * static_cast<std::size_t>(input.channels());
-    input.sweep(block.segment, block.begin, 0.5 * block.h, 2 * block.first, rows, {u, values});
+  return [&input](const StepBlock& block, double* u) {
+    block.sweep(input, {u, static_cast<std::size_t>(block.rows()) * 2 * static_cast<std::size_t>(input.channels())});
   };
 }
 

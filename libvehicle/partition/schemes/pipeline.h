@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "libvehicle/integrate/failure.h"
+#include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/partition/run.h"
 #include "libvehicle/partition/schemes/input_ahead.h"
 
@@ -19,7 +19,7 @@ template <class Stepper>
 struct TracedStepper {
   static constexpr const char* kName = Stepper::kName;
   static constexpr int kEvaluations = Stepper::kEvaluations;
-  Stepper& stepper;
+  Stepper stepper;
   Member& me;
   long number = 0;
 
@@ -34,16 +34,16 @@ struct TracedStepper {
 /// What of a run is shared: the rows that its steps read.
 struct Pipeline {
   FixedStep step;
-  BlockRows rows;  // the input at half steps; sweepRows() for the bits of runFixedStep()
+  BlockRows rows;  // the input at half steps; sweepRows() for the bits of FixedSteps
   int threads = 2;
 };
 
 /// A run of fixed steps whose input is computed ahead: member 0 steps, all members compute input blocks
-/// (input_ahead.h). What is shared is the input alone: the bits of runFixedStep() for every number of threads, and at
+/// (input_ahead.h). What is shared is the input alone: the bits of FixedSteps for every number of threads, and at
 /// best (step + input) / threads, but never less than a step without its input.
 ///
-/// @tparam Stepper  as for runFixedStep(), in the order of the problem's input and x0; the system is not looked at
-/// @throws as runFixedStep() and runTeam()
+/// @tparam Stepper  as for FixedSteps, in the order of the problem's input and x0; the system is not looked at
+/// @throws as FixedSteps and runTeam()
 template <class Stepper>
 PipelineRun runPipelined(const Stepper& stepper, const RunProblem& problem, const Pipeline& shared,
                          const Observer& observe, const TeamPolicy& team) {
@@ -55,20 +55,12 @@ PipelineRun runPipelined(const Stepper& stepper, const RunProblem& problem, cons
       ahead.help(me);
       return;
     }
-    const auto feed = [&](int segment, double begin, double h, int first, int last) {
-      return ahead.enter(me, {segment, begin, h, first, last});
+    const auto feed = [&](const StepBlock& block) { return ahead.enter(me, block); };
+    const auto steps = [&](const auto& by) {
+      FixedSteps run(by, width, feed, shared.step);
+      return run.run(problem.schedule, problem.x0, observe);
     };
-    const auto steps = [&](auto& own) {
-      return runFedSteps(own, width, feed, problem.schedule, shared.step, problem.x0, observe);
-    };
-    // A copy of its own: what the compiler knows to be this thread's alone it keeps in registers.
-    Stepper own(stepper);
-    if (team.tracer == nullptr) {
-      made.run.statistics = steps(own);
-    } else {
-      TracedStepper<Stepper> traced{own, me};
-      made.run.statistics = steps(traced);
-    }
+    made.run.statistics = team.tracer == nullptr ? steps(stepper) : steps(TracedStepper<Stepper>{stepper, me});
     if (made.run.statistics.stopped) me.stopTeam();
   });
   made.run.shares.emplace_back(static_cast<std::size_t>(stepper.size() / 2));
@@ -77,11 +69,11 @@ PipelineRun runPipelined(const Stepper& stepper, const RunProblem& problem, cons
   return made;
 }
 
-/// Rows by Input::sweep, as runFixedStep() asks for them. Looks at the input.
+/// Rows by Input::sweep, as FixedSteps asks for them. Looks at the input.
 [[nodiscard]] BlockRows sweepRows(const Input& input);
 
-/// runRk4() of any System with its input computed ahead.
-/// @throws as runRk4() and runTeam()
+/// makeRk4() of any System with its input computed ahead.
+/// @throws as makeRk4() and runTeam()
 PipelineRun runPipeline(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
                         const TeamPolicy& team);
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/partition/map/equation_graph.h"
-#include "libvehicle/partition/schemes/step_walk.h"
 
 namespace vehicle {
 

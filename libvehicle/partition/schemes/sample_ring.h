@@ -20,8 +20,7 @@
 #include <span>
 #include <vector>
 
-#include "libvehicle/integrate/run.h"
-#include "libvehicle/partition/schemes/step_walk.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/system/run_problem.h"
 #include "libvehicle/threads/team.h"
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "libvehicle/integrate/rk4_stages.h"
 #include "libvehicle/partition/map/cut_order.h"
 #include "libvehicle/partition/map/equation_map.h"
 #include "libvehicle/partition/schemes/exchange_plan.h"
 #include "libvehicle/partition/schemes/own_state.h"
-#include "libvehicle/partition/schemes/rk4_stages.h"
 #include "libvehicle/partition/schemes/sample_ring.h"
 #include "libvehicle/partition/schemes/stage_rows.h"
 #include "libvehicle/threads/exchange.h"

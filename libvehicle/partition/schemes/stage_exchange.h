@@ -17,13 +17,13 @@
 //    reader published when it was done with b - 1. All others must therefore be neighbours of that thread, which the
 //    one vehicle of this map grants.
 
-#include "libvehicle/integrate/run.h"
+#include "libvehicle/integrate/step_walk.h"
 #include "libvehicle/partition/run.h"
 #include "libvehicle/partition/step_costs.h"
 
 namespace vehicle {
 
-/// Rk4 with the state exchanged at every stage, the bits of runRk4().
+/// Rk4 with the state exchanged at every stage, the bits of makeRk4().
 /// @throws as runPartitioned()
 PartitionRun runStageExchange(const RunProblem& problem, FixedStep step, const Observer& observe,
                               const Sharing& sharing, const TeamPolicy& team);

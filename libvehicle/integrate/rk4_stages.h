@@ -4,8 +4,10 @@
 
 namespace vehicle {
 
-// What Rk4::step does to one entry between two evaluations of f, for threads that each hold some entries. The
-// expressions are the same to the letter: bits depend on it.
+// What a classical step does to some entries of the state between two evaluations of f. The one place of its formulas:
+// Rk4::step takes them for all entries, threads that share a run for those that each holds. The tableau has entries
+// just below the diagonal only, so a stage needs the slope before it and no other; the weighted sum is gathered on the
+// way.
 
 /// After the first evaluation: begins the weighted sum and gives the arguments of the second.
 /// @param x, slope, sum, stage  (n)
@@ -28,8 +30,8 @@ inline void afterMiddleStage(double h, const double* x, const double* __restrict
 }
 
 /// After the last evaluation: x moves on.
-inline void afterLastStage(double h, const double* __restrict slope, const double* __restrict sum,
-                           double* __restrict x, int n) {
+inline void afterLastStage(double h, const double* __restrict slope, const double* __restrict sum, double* __restrict x,
+                           int n) {
   for (int i = 0; i < n; ++i) x[i] += h * (sum[i] + kRk4.b[3] * slope[i]);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -20,9 +21,14 @@ struct SampledRail::Block {
 
 namespace {
 
+/// Most samples that a block is made from.
+constexpr std::size_t kMostRead = SampledRail::kBlock + 2 * SampledRail::kReach + 1;
+// On the stack, so that memory holds blocks alone, all of one size.
+using Window = std::array<double, kMostRead>;
+
 /// Rise at the first of equally spaced values: the derivative of the polynomial through at most five of them.
 /// @param step  1 for the first of `values`, -1 where they run backwards from `at`
-double oneSidedRise(const std::vector<double>& values, std::size_t at, int step) {
+double oneSidedRise(std::span<const double> values, std::size_t at, int step) {
   const int points = static_cast<int>(std::min<std::size_t>(values.size(), 5));
   const auto value = [&](int j) { return values[at + static_cast<std::size_t>(step * j)]; };
   double rise = 0.0, harmonic = 0.0, binomial = 1.0;
@@ -36,10 +42,10 @@ double oneSidedRise(const std::vector<double>& values, std::size_t at, int step)
 
 /// Rises m of the spline at all values z: m_{k-1} + 4 m_k + m_{k+1} = 3 (z_{k+1} - z_{k-1}) between given ends, by
 /// elimination.
-std::vector<double> splineRises(const std::vector<double>& z) {
+void findRises(std::span<const double> z, Window& rise) {
   const std::size_t last = z.size() - 1;
-  std::vector<double> rise(z.size());
-  std::vector<double> over(z.size(), 0.0);  // what an unknown takes of the next
+  Window over;  // what an unknown takes of the next
+  over[0] = 0.0;
   rise[0] = oneSidedRise(z, 0, 1);
   rise[last] = oneSidedRise(z, last, -1);
   for (std::size_t k = 1; k < last; ++k) {
@@ -48,7 +54,6 @@ std::vector<double> splineRises(const std::vector<double>& z) {
     rise[k] = (3.0 * (z[k + 1] - z[k - 1]) - rise[k - 1]) * pivot;
   }
   for (std::size_t k = last - 1; k > 0; --k) rise[k] -= over[k] * rise[k + 1];
-  return rise;
 }
 
 }  // namespace
@@ -76,7 +81,8 @@ SampledRail::Held SampledRail::makeBlock(std::int64_t number) const {
   const std::int64_t last = std::min(first + kBlock, intervals_);
   const std::int64_t from = std::max<std::int64_t>(0, first - kReach);
   const std::int64_t to = std::min(intervals_, last + kReach);
-  std::vector<double> heights(static_cast<std::size_t>(to - from + 1));
+  Window read, rises;
+  const std::span<double> heights = std::span(read).first(static_cast<std::size_t>(to - from + 1));
   {
     const std::lock_guard one_reader(reading_);
     samples_->read(from, heights);
@@ -89,7 +95,7 @@ SampledRail::Held SampledRail::makeBlock(std::int64_t number) const {
             << ", must be finite";
     throw std::runtime_error(message.str());
   }
-  const std::vector<double> rises = splineRises(heights);
+  findRises(heights, rises);
   auto block = std::make_shared<Block>();
   block->number = number;
   std::copy(heights.begin() + (first - from), heights.begin() + (last - from + 1), block->height.begin());

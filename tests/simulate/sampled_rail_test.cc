@@ -65,8 +65,7 @@ struct Case {
 };
 
 std::vector<double> byRk4(const Case& of) {
-  return of.statesOf(
-      [](const Case& c, const Observer& keep) { (void)runRk4(c.problem(), {1e-3}, keep); });
+  return of.statesOf([](const Case& c, const Observer& keep) { (void)runRk4(c.problem(), {1e-3}, keep); });
 }
 
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {

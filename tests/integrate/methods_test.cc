@@ -78,7 +78,7 @@ TYPED_TEST(EveryMethod, FollowsTheClosedFormWithinAndAcrossBreakpoints) {
 TYPED_TEST(EveryMethod, IntegratesACubicExactly) {
   const MatrixSystem integrator({Eigen::MatrixXd::Zero(1, 1), Eigen::RowVector2d(1.0, 0.0)});
   InputSegment segment{.begin = 2.0, .end = 4.0, .angular_frequency = {}, .cosine = {}, .sine = {},
-                       .polynomial = {0.3, -0.7, 0.9, 0.2}};
+                       .polynomial = {0.3, -0.7, 0.9, 0.2}, .sampled = {}};
   const Input input(1, {segment});
   const std::vector<double> start = {0.25};
   TypeParam::run(integrator, input, Schedule(input, 0.5), start, [](int, int, double t, std::span<const double> x) {

@@ -6,18 +6,13 @@
 // megabytes of memory at most, what it was built by. Every row is a process of its own: its memory is that of this row,
 // and processor time does not count what a neighbour on the machine takes away.
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +25,7 @@
 #include "libvehicle/simulate/methods.h"
 #include "libvehicle/track/rail_piece.h"
 #include "libvehicle/xml/reader.h"
+#include "tests/support/own_process.h"
 
 namespace vehicle {
 namespace {
@@ -40,25 +36,12 @@ struct Cost {
 };
 
 Cost costOf(const std::function<void()>& work) {
-  std::fflush(stdout);
-  const pid_t process = fork();
-  if (process == 0) {
-    int status = 1;
-    try {
-      work();
-      status = 0;
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "bench_long_run: {}\n", error.what());
-    }
-    _exit(status);
-  }
-  int status = 0;
-  rusage usage{};
-  if (process < 0 || wait4(process, &status, 0, &usage) != process || status != 0) std::exit(1);
+  const std::optional<rusage> usage = test::usageOf(work);
+  if (!usage) std::exit(1);
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024.0};
+  return {seconds(usage->ru_utime) + seconds(usage->ru_stime), static_cast<double>(usage->ru_maxrss) / 1024.0};
 }
 
 void print(const std::string& what, const Cost& cost, double samples, double base) {

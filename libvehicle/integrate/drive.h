@@ -25,7 +25,7 @@ Statistics drive(Method& method, const Schedule& schedule, std::span<const doubl
 }
 
 /// Base of an integrator whose run() is compiled for its own type.
-/// @tparam Method    the class that derives from it
+/// @tparam Method  the class that derives from it
 template <class Method>
 class DrivenByType : public Integrator {
  public:

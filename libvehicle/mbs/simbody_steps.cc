@@ -20,7 +20,7 @@ SimbodySteps::SimbodySteps(SimbodyModel& model, const RunProblem& problem, doubl
   }
 }
 
-// Only what Simbody throws is told as a failure of the integrator; an observer's exceptions pass untouched.
+// Only what Simbody throws is reported as a failure of the integrator; an observer's exceptions pass untouched.
 template <class Call>
 void SimbodySteps::simbody(Call call) const {
   try {

@@ -54,14 +54,19 @@ class PeriodRow {
     for (int left = static_cast<int>(numbers[0]); left > 0; --left, next += step()) move(next[0], next + 1);
   }
 
-  /// One step of that length over an input that stays as it was at the end of `newest`.
+  /// One step of that length over an input that stays as it was at the end of `newest`, or zero where that has no steps.
   void hold(double period, std::span<const double> newest, std::span<double> held) const {
-    std::vector<double> end(instant_, 0.0);
-    forSteps(newest.data(),
-             [&](double, const double* input) { std::copy_n(input + 2 * instant_, instant_, end.data()); });
+    const auto steps = static_cast<std::size_t>(newest[0]);
+    const double* end = newest.data() + 1 + steps * step() - instant_;  // of the last step
     held[0] = 1.0;
     held[1] = period;
-    for (std::size_t part = 0; part < 3; ++part) std::copy(end.begin(), end.end(), held.begin() + 2 + part * instant_);
+    for (std::size_t part = 0; part < 3; ++part) {
+      double* to = held.data() + 2 + part * instant_;
+      if (steps > 0)
+        std::copy_n(end, instant_, to);
+      else
+        std::fill_n(to, instant_, 0.0);
+    }
   }
 
  private:

@@ -1,7 +1,6 @@
 #include "libvehicle/simulate/flat_by_type.h"
 
 #include <array>
-#include <utility>
 
 #include "libvehicle/integrate/adaptive_steps.h"
 #include "libvehicle/integrate/dopri5.h"
@@ -9,6 +8,7 @@
 #include "libvehicle/integrate/fixed_steps.h"
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/partition/schemes/blocked_rk4.h"
+#include "libvehicle/simulate/mapped_steps.h"
 
 namespace vehicle {
 
@@ -27,6 +27,7 @@ const FlatForm* typedForm(const System& system) {
 /// A state between the form's inner order and the vehicle's.
 class InnerOrder {
  public:
+  static constexpr int kSystems = 1;
   InnerOrder(const char* method, const FlatForm& form) : method_(method), order_(form.stateOrder()) {}
   const std::array<double, kStates>& inner(std::span<const double> x) {
     checkStart(method_, x, FlatRhs::kStates);
@@ -45,42 +46,14 @@ class InnerOrder {
   std::array<double, kStates> outer_{};
 };
 
-/// Steps in the form's inner order, shows in the vehicle's.
+/// Steps in the form's inner order, shown in the vehicle's.
 /// @tparam Steps  FixedSteps or AdaptiveSteps of a Stepper over FlatRhs
-template <class Steps, class Stepper>
-class FlatSteps final : public Integrator {
- public:
-  template <class Setting>
-  FlatSteps(const FlatForm& form, const Input& input, Setting setting)
-      : order_(Stepper::kName, form),
-        input_(input.inOrder(form.wheelOrder())),
-        steps_(Stepper(*form.rhs()), input_, setting) {}
-  FlatSteps(const FlatSteps&) = delete;  // steps_ looks at input_
-  FlatSteps& operator=(const FlatSteps&) = delete;
-
-  void restart(const Interval& at, std::span<const double> x) override {
-    steps_.restart(at, order_.inner(x));
-    state_ = order_.outer(steps_.state());
-  }
-  void advance(const Interval& interval) override {
-    steps_.advance(interval);
-    state_ = order_.outer(steps_.state());
-  }
-  [[nodiscard]] std::span<const double> state() const override { return state_; }
-  [[nodiscard]] Statistics statistics() const override { return steps_.statistics(); }
-  Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) override {
-    const std::array<double, kStates> inner = order_.inner(x0);
-    return steps_.run(schedule, inner, [&](int sample, int segment, double t, std::span<const double> x) {
-      return observe(sample, segment, t, order_.outer(x));
-    });
-  }
-
- private:
-  InnerOrder order_;
-  Input input_;
-  Steps steps_;
-  std::array<double, kStates> state_{};
-};
+template <class Stepper, class Steps, class Setting>
+std::unique_ptr<Integrator> stepsInInnerOrder(const FlatForm& form, const Input& input, Setting setting) {
+  return std::make_unique<MappedSteps<InnerOrder, Steps>>(
+      InnerOrder(Stepper::kName, form), input.inOrder(form.wheelOrder()),
+      [&](const InnerOrder&, const Input& inner) { return Steps(Stepper(*form.rhs()), inner, setting); });
+}
 
 }  // namespace
 
@@ -93,13 +66,13 @@ std::unique_ptr<Integrator> makeFlatRk4(const RunProblem& problem, FixedStep ste
     const bool is_long = problem.system.equations() != nullptr && problem.system.size() > FlatRhs::kStates;
     return is_long ? makeBlockedRk4(problem, step) : makeRk4(problem, step);
   }
-  return std::make_unique<FlatSteps<FixedSteps<FlatRk4>, FlatRk4>>(*form, problem.input, step);
+  return stepsInInnerOrder<FlatRk4, FixedSteps<FlatRk4>>(*form, problem.input, step);
 }
 
 std::unique_ptr<Integrator> makeFlatDopri5(const RunProblem& problem, Accuracy accuracy) {
   const FlatForm* form = typedForm(problem.system);
   if (form == nullptr) return makeDopri5(problem, accuracy);
-  return std::make_unique<FlatSteps<AdaptiveSteps<FlatDopri5>, FlatDopri5>>(*form, problem.input, accuracy);
+  return stepsInInnerOrder<FlatDopri5, AdaptiveSteps<FlatDopri5>>(*form, problem.input, accuracy);
 }
 
 PipelineRun runFlatPipeline(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,

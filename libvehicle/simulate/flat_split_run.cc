@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "libvehicle/integrate/rk4.h"
 #include "libvehicle/partition/schemes/pipeline.h"
 #include "libvehicle/simulate/flat_by_type.h"
+#include "libvehicle/simulate/mapped_steps.h"
 #include "libvehicle/system/mixed_input.h"
 
 namespace vehicle {
@@ -44,58 +46,34 @@ FlatSplit splitOf(const System& system) {
   return FlatSplit(*flatFormOf(system));
 }
 
-/// @return two channels: bounce, pitch
+/// The input of both halves: two channels, bounce and pitch.
 Input mixed(const Input& input, const FlatSplit& split) {
   checkChannels(kName, 4, input.channels());
   return mixedInput(input, split.mixing());
 }
 
-/// Both halves in one loop, shown in the vehicle's order.
-class SplitSteps final : public Integrator {
+/// A state between bounce and pitch, one after the other, and the vehicle's order.
+class Halves {
  public:
-  SplitSteps(const RunProblem& problem, FixedStep step)
-      : split_(splitOf(problem.system)),
-        input_(mixed(problem.input, split_)),
-        steps_(Rk4<BothHalvesRhs, kStates>(BothHalvesRhs(split_)), input_, step) {}
-  SplitSteps(const SplitSteps&) = delete;  // steps_ looks at input_
-  SplitSteps& operator=(const SplitSteps&) = delete;
+  static constexpr int kSystems = 2;
+  static constexpr int kStates = kSystems * FlatHalfRhs::kStates;
 
-  void restart(const Interval& at, std::span<const double> x) override {
+  explicit Halves(FlatSplit split) : split_(std::move(split)) {}
+  [[nodiscard]] const FlatSplit& split() const { return split_; }
+  const std::array<double, kStates>& inner(std::span<const double> x) {
     checkStart(kName, x, kStates);
-    std::array<double, kStates> halves{};
-    split_.toHalves(x, halves);
-    steps_.restart(at, halves);
-    split_.fromHalves(steps_.state(), state_);
+    split_.toHalves(x, inner_);
+    return inner_;
   }
-  void advance(const Interval& interval) override {
-    steps_.advance(interval);
-    split_.fromHalves(steps_.state(), state_);
-  }
-  [[nodiscard]] std::span<const double> state() const override { return state_; }
-  [[nodiscard]] Statistics statistics() const override {
-    Statistics statistics = steps_.statistics();
-    statistics.evaluations *= kHalves;
-    return statistics;
-  }
-  Statistics run(const Schedule& schedule, std::span<const double> x0, const Observer& observe) override {
-    checkStart(kName, x0, kStates);
-    std::array<double, kStates> halves{};
-    split_.toHalves(x0, halves);
-    Statistics whole = steps_.run(schedule, halves, [&](int sample, int segment, double t, std::span<const double> x) {
-      split_.fromHalves(x, state_);
-      return observe(sample, segment, t, state_);
-    });
-    whole.evaluations *= kHalves;
-    return whole;
+  const std::array<double, kStates>& outer(std::span<const double> halves) {
+    split_.fromHalves(halves, outer_);
+    return outer_;
   }
 
  private:
-  static constexpr int kHalves = 2;  // two systems, as on two threads
-  static constexpr int kStates = kHalves * FlatHalfRhs::kStates;
   FlatSplit split_;
-  Input input_;
-  FixedSteps<Rk4<BothHalvesRhs, kStates>> steps_;
-  std::array<double, kStates> state_{};
+  std::array<double, kStates> inner_{};
+  std::array<double, kStates> outer_{};
 };
 
 }  // namespace
@@ -111,7 +89,13 @@ std::string splitUnsupportedBy(const System& system) {
 }
 
 std::unique_ptr<Integrator> makeFlatRk4Split(const RunProblem& problem, FixedStep step) {
-  return std::make_unique<SplitSteps>(problem, step);
+  using Stepper = Rk4<BothHalvesRhs, Halves::kStates>;
+  FlatSplit split = splitOf(problem.system);
+  Input both = mixed(problem.input, split);
+  return std::make_unique<MappedSteps<Halves, FixedSteps<Stepper>>>(
+      Halves(std::move(split)), std::move(both), [&](const Halves& halves, const Input& input) {
+        return FixedSteps<Stepper>(Stepper(BothHalvesRhs(halves.split())), input, step);
+      });
 }
 
 PartsRun runFlatRk4Split(const RunProblem& problem, FixedStep step, const Observer& observe, int threads,
@@ -119,22 +103,19 @@ PartsRun runFlatRk4Split(const RunProblem& problem, FixedStep step, const Observ
   if (threads == 1) {
     return {.statistics = makeFlatRk4Split(problem, step)->run(problem.schedule, problem.x0, observe), .team = {}};
   }
-  const FlatSplit split = splitOf(problem.system);
+  Halves halves(splitOf(problem.system));
+  const FlatSplit& split = halves.split();
   const Input both = mixed(problem.input, split);
   const std::array<Input, 2> inputs = {mixedInput(both, std::array{1.0, 0.0}), mixedInput(both, std::array{0.0, 1.0})};
-  checkStart(kName, problem.x0, problem.system.size());
-  std::array<double, 8> start{};  // bounce, pitch
-  split.toHalves(problem.x0, start);
-  std::array<double, 8> shown{};  // in the vehicle's order
-  const Observer showWhole = [&](int sample, int segment, double t, std::span<const double> halves) {
-    split.fromHalves(halves, shown);
-    return observe(sample, segment, t, shown);
+  const std::span<const double> start = halves.inner(problem.x0);
+  const Observer showWhole = [&](int sample, int segment, double t, std::span<const double> x) {
+    return observe(sample, segment, t, halves.outer(x));
   };
   const auto part = [&](const FlatHalf& half, std::size_t number) {
     return IndependentPart{FlatHalfRhs::kStates, [&, number](const Observer& show, Member* me) {
                              const auto run = [&](const auto& stepper) {
                                FixedSteps steps(stepper, inputs[number], step);
-                               return steps.run(problem.schedule, std::span(start).subspan(4 * number, 4), show);
+                               return steps.run(problem.schedule, start.subspan(4 * number, 4), show);
                              };
                              using Stepper = Rk4<FlatHalfRhs, FlatHalfRhs::kStates>;
                              const Stepper stepper(half.rhs());

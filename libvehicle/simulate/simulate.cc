@@ -103,7 +103,8 @@ RunResult runRight(const CompiledModel& model, const Scenario& scenario, const R
 
   const std::unique_ptr<System> system = buildForm(result.form, model);
   const Input input = inputOf(scenario, model.topology, result.speed);
-  const bool is_fixed_step = methodNamed(result.method).reads.step;
+  const Method& method = methodNamed(result.method);
+  const bool is_fixed_step = method.reads.step;
   RunPlan plan;
   double fastest = 0.0;  // [rad/s]
   if (choice.measures) {
@@ -138,7 +139,7 @@ RunResult runRight(const CompiledModel& model, const Scenario& scenario, const R
   if (choice.keep != Keep::kNothing) watch.keepers.push_back({&stored, choice.keep});
   if (sink != nullptr) watch.keepers.push_back({sink, Keep::kOutputs});
   Recorder recorder(problem, watch);
-  if (choice.measures && methodNamed(result.method).error.law == ErrorLaw::kNone && isFollowed(schedule, fastest)) {
+  if (choice.measures && method.error.law == ErrorLaw::kNone && isFollowed(schedule, fastest)) {
     recorder.integrateExactly();
   }
   const auto begin = std::chrono::steady_clock::now();
@@ -147,7 +148,7 @@ RunResult runRight(const CompiledModel& model, const Scenario& scenario, const R
     if (choice.sharing.threads == 0 && !canBeShared(result.form, result.method)) {
       request.sharing.scheme = Scheme::kSerial;
     }
-    SharedRun run = runShared(methodNamed(result.method), problem, settings, std::ref(recorder), request);
+    SharedRun run = runShared(method, problem, settings, std::ref(recorder), request);
     result.statistics = run.statistics;
     result.scheme = nameOf(run.scheme);
     result.threads = run.threads;

@@ -57,11 +57,7 @@ void readRow(std::string_view line, const Place& place, const std::vector<Channe
 
 void writeCsv(const TimeHistory& history, const std::filesystem::path& path) {
   requireStorable(history);
-  CsvWriter writer(path);
-  writer.begin(history.columns(), static_cast<long>(history.samples()));
-  for (std::size_t i = 0; i < history.samples(); ++i) writer.add(history.row(i));
-  writer.finish({});
-  writer.publish();
+  CsvWriter(path).writeAll(history, {});
 }
 
 Outcome<TimeHistory> readCsv(const std::filesystem::path& path) {

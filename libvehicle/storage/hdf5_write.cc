@@ -31,7 +31,7 @@ void requireNames(std::string_view what, const std::vector<std::string>& names) 
   }
 }
 
-// What HDF5 could not hold is the caller's mistake and told before anything is written of it.
+// What HDF5 could not hold is the caller's mistake and refused before anything is written of it.
 void requireColumns(const std::vector<Channel>& columns) {
   std::vector<std::string> names;
   for (const Channel& column : columns) {
@@ -202,11 +202,7 @@ void writeHdf5(const RunRecord& record, const std::filesystem::path& path) {
   requireStorable(record.history);
   const RunDescription description{record.attributes, record.inputs};
   requireDescription(description);
-  Hdf5Writer writer(path);
-  writer.begin(record.history.columns(), static_cast<long>(record.history.samples()));
-  for (std::size_t i = 0; i < record.history.samples(); ++i) writer.add(record.history.row(i));
-  writer.finish(description);
-  writer.publish();
+  Hdf5Writer(path).writeAll(record.history, description);
 }
 
 }  // namespace vehicle

@@ -35,6 +35,13 @@ std::unique_ptr<HistoryWriter> openHistory(const std::filesystem::path& path) {
   return std::make_unique<Hdf5Writer>(path);
 }
 
+void HistoryWriter::writeAll(const TimeHistory& history, const RunDescription& description) {
+  begin(history.columns(), static_cast<long>(history.samples()));
+  for (std::size_t i = 0; i < history.samples(); ++i) add(history.row(i));
+  finish(description);
+  publish();
+}
+
 HistoryFiles::HistoryFiles(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) writers_.push_back(openHistory(path));
 }

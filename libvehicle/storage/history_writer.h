@@ -20,6 +20,9 @@ class HistoryWriter : public HistorySink {
   /// Puts the file in its place, instead of what stood there.
   /// @throws RunFailed
   virtual void publish() = 0;
+
+  /// A whole history that is in memory.
+  void writeAll(const TimeHistory& history, const RunDescription& description);
 };
 
 /// Makes the temporary file, of the format that the extension says.

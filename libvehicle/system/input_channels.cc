@@ -57,8 +57,9 @@ void Input::prepare(int segment, double t0, double dt, int first, int count, Pha
   clock.instant.resize(static_cast<std::size_t>(count));
   clock.phasor.resize(static_cast<std::size_t>(count) * 2 * frequencies);
   for (int i = 0; i < count; ++i) {
-    clock.instant[static_cast<std::size_t>(i)] = t0 + (first + i) * dt;
-    clock.time[static_cast<std::size_t>(i)] = (t0 + (first + i) * dt) - piece.begin;
+    const double t = t0 + (first + i) * dt;
+    clock.instant[static_cast<std::size_t>(i)] = t;
+    clock.time[static_cast<std::size_t>(i)] = t - piece.begin;
   }
   for (std::size_t f = 0; f < frequencies; ++f) {
     for (int done = 0; done < count; done += kBlock) {

@@ -1,11 +1,8 @@
 // Runs are written as they go: the same bytes as from memory, in memory that does not grow with the run.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,6 +17,7 @@
 #include "libvehicle/storage/csv.h"
 #include "libvehicle/storage/hdf5.h"
 #include "libvehicle/track/rail_piece.h"
+#include "tests/support/own_process.h"
 #include "tests/support/source_tree.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/vehicles.h"
@@ -96,23 +94,9 @@ TEST(RunStreams, ARunThatFailsWritesNothing) {
 
 /// Peak of the memory of a process of its own that does that [bytes].
 double peakOf(const std::function<void()>& work) {
-  const pid_t process = fork();
-  if (process == 0) {
-    int status = 1;
-    try {
-      work();
-      status = 0;
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "{}\n", error.what());
-    }
-    _exit(status);
-  }
-  int status = 0;
-  rusage usage{};
-  if (process < 0 || wait4(process, &status, 0, &usage) != process || status != 0) {
-    ADD_FAILURE() << "the process ended with " << status;
-  }
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+  const std::optional<rusage> usage = test::usageOf(work);
+  EXPECT_TRUE(usage.has_value());
+  return usage ? 1024.0 * static_cast<double>(usage->ru_maxrss) : 0.0;
 }
 
 // Ten times the run, with both files: in memory its history would take 48 MB more. Allowed: what the C library and HDF5 keep

@@ -61,7 +61,7 @@ TEST(RealtimeRun, StepsEndOnBreakpointsInsideAPeriodInAnyForm) {
   EXPECT_EQ(run.form, "matrix");
   EXPECT_EQ(run.report.steps, 500);
   EXPECT_GE(run.report.response.most, run.report.step.least);
-  if (run.report.inputs_held > 0) return;  // the machine stood still, and that is told
+  if (run.report.inputs_held > 0) return;  // the machine stood still, and the report says so
   EXPECT_TRUE(run.same_bits);
 
   choice.method = "rk4";

@@ -8,21 +8,25 @@
 // Tracks, and scenarios over them.
 namespace vehicle::test {
 
-inline Dip dip(DipShape shape, double depth, double length, double start) {
-  Dip made;
+/// A dip or bump of no height yet.
+template <class Feature>
+Feature featureOf(DipShape shape, double length, double start) {
+  Feature made;
   made.shape = shape;
-  made.depth = depth;
   made.length = length;
   made.start = start;
   return made;
 }
 
+inline Dip dip(DipShape shape, double depth, double length, double start) {
+  Dip made = featureOf<Dip>(shape, length, start);
+  made.depth = depth;
+  return made;
+}
+
 inline Bump bump(DipShape shape, double height, double length, double start) {
-  Bump made;
-  made.shape = shape;
+  Bump made = featureOf<Bump>(shape, length, start);
   made.height = height;
-  made.length = length;
-  made.start = start;
   return made;
 }
 
